@@ -1,0 +1,393 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Laplace_beltrami_matrices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Mesh_components.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Shift_invert_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
+#include <CGAL/Surface_mesh_reeb_graph/parameters.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+using Default_solver_traits = CGAL::Eigen_solver_traits<
+    Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphClasses
+
+The smallest eigenvalues and the eigenfunctions of the Laplace-Beltrami operator of a triangle mesh, and
+the diffusion and commute-time distances that they give.
+
+The eigenpairs are computed once, by the constructor; distances are cheap afterwards.
+
+**Operator.** *L* is the cotangent stiffness matrix (symmetric, positive semi-definite, `(cot a + cot b) / 2`
+for an edge with opposite angles *a* and *b*) and *M* the diagonal matrix of mixed Voronoi areas
+(Meyer et al. 2003), which sum to the surface area. The eigenpairs solve *L psi = lambda M psi*, the
+eigenfunctions are *M*-orthonormal: they have the unit of an inverse length, eigenvalues that of
+an inverse area. Nothing is imposed on borders (Neumann condition). Both matrices are made from edge lengths
+that are increased by the least amount, usually none, that gives every triangle a margin in its triangle
+inequalities (Sharp and Crane 2020), so that degenerate faces do no harm.
+
+**Components.** Every connected component of the mesh has a basis of its own. The constant eigenfunction of
+eigenvalue zero is left out: it drops out of every difference. A component with too few vertices has
+all the eigenpairs that there are; one without extent, as an isolated vertex, has none.
+
+**Number of eigenpairs.** How many pairs are used is part of the definition of the distances, not an
+accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it is
+extended up to the next gap.
+
+**Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are divided by the
+smallest one (which is not zero), as the paper normalizes the spectrum. Hence distances and times have
+no unit, and nothing depends on the size of the shape.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` for symmetric positive definite
+        matrices, with `double` as number type; by default `CGAL::Eigen_solver_traits` with
+        `Eigen::SimplicialLDLT`
+
+\sa `feature_points()`
+\sa `commute_time_function()`
+*/
+template <class TriangleMesh, class SolverTraits = internal::Default_solver_traits>
+class Laplace_beltrami_eigenbasis
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the type of the mesh
+  using Triangle_mesh = TriangleMesh;
+  /// the vertex descriptor of the mesh
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// the number type of eigenvalues, eigenfunctions, times and distances
+  using FT = double;
+
+  /// @}
+  /// \name Construction
+  /// @{
+
+  /*!
+  computes the eigenpairs.
+
+  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+
+  \param tmesh the mesh; it must outlive the basis and not be changed meanwhile
+  \param np an optional sequence of named parameters among the ones listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{number_of_eigenpairs}
+      \cgalParamDescription{how many of the smallest non-zero eigenvalues are computed for every component, counted with multiplicity}
+      \cgalParamType{an integer, at least 1}
+      \cgalParamDefault{`50`, as in the paper, Section 6}
+      \cgalParamExtra{there are more if the last one is multiple, and fewer if the component has too few vertices}
+    \cgalParamNEnd
+    \cgalParamNBegin{residual_tolerance}
+      \cgalParamDescription{the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` that an eigenpair may have}
+      \cgalParamType{`double`}
+      \cgalParamDefault{`1e-8`}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{the points of the vertices}
+      \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
+      \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
+      \cgalParamExtra{coordinates are converted to `double`}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  Takes one sparse factorization for every component and some hundred solves with it.
+
+  \pre `CGAL::is_triangle_mesh(tmesh)`
+
+  \throws Reeb_graph_error if a coordinate is not a finite number, the whole surface has no area, the factorization
+          fails, the eigensolver does not converge, or a residual is larger than the tolerance
+  */
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Laplace_beltrami_eigenbasis(
+      const TriangleMesh& tmesh,
+      const NamedParameters& np = CGAL::parameters::default_values())
+    : m_tmesh(&tmesh), m_components(tmesh), m_bases(m_components.size())
+  {
+    using CGAL::parameters::choose_parameter;
+    using CGAL::parameters::get_parameter;
+
+    CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
+
+    const auto number_of_eigenpairs = static_cast<long long>(
+        internal::choose_own_parameter(np, internal::tags::number_of_eigenpairs, 50));
+    if (number_of_eigenpairs < 1)
+      throw Reeb_graph_error("the number of eigenpairs must be at least 1");
+    const double tolerance =
+        internal::choose_own_parameter(np, internal::tags::residual_tolerance, 1e-8);
+    const auto vertex_point_map =
+        choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                         CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+
+    check_coordinates(vertex_point_map);
+    bool has_area = faces(tmesh).begin() == faces(tmesh).end();
+    for (std::size_t c = 0; c < m_components.size(); ++c) {
+      try {
+        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance);
+      } catch (const Reeb_graph_error& error) {
+        std::ostringstream message;
+        message << "component " << c << " (" << m_components[c].vertices.size()
+                << " vertices): " << error.what();
+        throw Reeb_graph_error(message.str());
+      }
+      has_area = has_area || m_bases[c].area > 0;
+    }
+    if (!has_area)
+      throw Reeb_graph_error("the surface has no area: all faces are single points");
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// returns the mesh.
+  const TriangleMesh& triangle_mesh() const { return *m_tmesh; }
+
+  /// returns the number of connected components of the mesh, isolated vertices included.
+  std::size_t number_of_components() const { return m_components.size(); }
+
+  /// returns the component of `v`; components are numbered in the order of their first vertices.
+  std::size_t component(vertex_descriptor v) const { return m_components.component_of(v); }
+
+  /// returns the vertices of component `c`, in the order of the mesh.
+  const std::vector<vertex_descriptor>& component_vertices(std::size_t c) const
+  {
+    return m_components[c].vertices;
+  }
+
+  /// returns the surface area of component `c`.
+  FT area(std::size_t c) const { return m_bases[c].area * m_bases[c].unit * m_bases[c].unit; }
+
+  /// returns the number of eigenpairs of component `c`, without the constant one.
+  std::size_t number_of_eigenpairs(std::size_t c) const
+  {
+    return static_cast<std::size_t>(m_bases[c].eigenvalues.size());
+  }
+
+  /// returns the `k`-th smallest non-zero eigenvalue of component `c`, from `k == 1` on.
+  /// \pre `1 <= k && k <= number_of_eigenpairs(c)`
+  FT eigenvalue(std::size_t c, std::size_t k) const
+  {
+    CGAL_precondition(1 <= k && k <= number_of_eigenpairs(c));
+    const Basis& basis = m_bases[c];
+    return basis.eigenvalues[static_cast<Eigen::Index>(k) - 1] / basis.unit / basis.unit;
+  }
+
+  /// returns the value at `v` of the eigenfunction of the `k`-th smallest non-zero eigenvalue of its
+  /// component, from `k == 1` on. Signs are chosen such that the value of largest magnitude is positive.
+  /// \pre `1 <= k && k <= number_of_eigenpairs(component(v))`
+  FT eigenfunction(std::size_t k, vertex_descriptor v) const
+  {
+    CGAL_precondition(1 <= k && k <= number_of_eigenpairs(component(v)));
+    const Basis& basis = m_bases[component(v)];
+    return basis.eigenfunctions(m_components.position_of(v), static_cast<Eigen::Index>(k) - 1) /
+           basis.unit;
+  }
+
+  /// returns the mixed Voronoi area of `v`: its entry of the mass matrix.
+  FT vertex_area(vertex_descriptor v) const
+  {
+    const Basis& basis = m_bases[component(v)];
+    return basis.mass[m_components.position_of(v)] * basis.unit * basis.unit;
+  }
+
+  /// returns the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` of all eigenpairs.
+  FT residual() const { return m_residual; }
+
+  /// @}
+  /// \name Distances
+  /// Vertices of different components have distance infinity.
+  /// @{
+
+  /*!
+  returns the diffusion distance of `u` and `v` at time `t`: the square root of
+  `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
+  (El Khoury et al. 2012, Eq. 8). It has no unit, and takes O(number of eigenpairs).
+  */
+  FT diffusion_distance(vertex_descriptor u, vertex_descriptor v, FT t) const
+  {
+    return distance(u, v, [t](const Eigen::VectorXd& lambda) {
+      return internal::diffusion_weights(lambda, t);
+    });
+  }
+
+  /*!
+  returns the commute-time distance of `u` and `v`: the square root of
+  `A sum_i lambda_1 / lambda_i (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
+  (El Khoury et al. 2012, Eq. 9). It has no unit, and takes O(number of eigenpairs).
+  */
+  FT commute_time_distance(vertex_descriptor u, vertex_descriptor v) const
+  {
+    return distance(u, v, internal::commute_time_weights);
+  }
+
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+
+  // What the functions of this package compute with: matrices over the positions of the vertices in
+  // their components.
+  struct Basis
+  {
+    double unit = 1;                // the mean edge length; the rest is measured in it
+    double area = 0;
+    Eigen::VectorXd mass;           // n
+    Eigen::VectorXd eigenvalues;    // k, without zero, increasing
+    Eigen::MatrixXd eigenfunctions; // n x k
+  };
+
+  const Basis& basis(std::size_t c) const { return m_bases[c]; }
+
+  std::size_t position(vertex_descriptor v) const { return m_components.position_of(v); }
+
+  /// \endcond
+
+private:
+  template <class VertexPointMap>
+  void check_coordinates(VertexPointMap vertex_point_map) const
+  {
+    std::size_t number = 0;
+    for (vertex_descriptor v : CGAL::make_range(vertices(*m_tmesh))) {
+      const auto& p = get(vertex_point_map, v);
+      if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())) ||
+          !std::isfinite(CGAL::to_double(p.z())))
+        throw Reeb_graph_error("a coordinate of vertex " + std::to_string(number) +
+                               " is not a finite number");
+      ++number;
+    }
+  }
+
+  template <class VertexPointMap>
+  void compute_basis(std::size_t c,
+                     VertexPointMap vertex_point_map,
+                     long long number_of_eigenpairs,
+                     double tolerance)
+  {
+    Basis& basis = m_bases[c];
+    internal::Laplace_beltrami_matrices matrices =
+        internal::laplace_beltrami_matrices(*m_tmesh, vertex_point_map, m_components, c);
+    const Eigen::Index n = matrices.mass.size();
+    if (matrices.area > 0) {
+      const Eigen::Index wanted = static_cast<Eigen::Index>(
+          (std::min)(number_of_eigenpairs, static_cast<long long>(n) - 1));
+      internal::Shift_invert_eigensolver<SolverTraits> solver(matrices);
+      // One more for the constant function, one more to see the gap behind the last one.
+      for (Eigen::Index number = wanted + 2;; number += (std::max)(Eigen::Index(8), number / 4)) {
+        internal::Eigenpairs pairs = solver.smallest((std::min)(number, n));
+        const Eigen::Index size = number_up_to_gap(pairs.values, wanted + 1);
+        if (size < pairs.values.size() || pairs.values.size() < number) {
+          take_pairs(basis, matrices, pairs, size, tolerance);
+          break;
+        }
+      }
+      basis.unit = matrices.unit;
+      basis.area = matrices.area;
+    }
+    basis.mass = std::move(matrices.mass);
+    basis.eigenfunctions.conservativeResize(n, basis.eigenvalues.size());
+  }
+
+  // How many eigenvalues to take, at least `wanted` if there are so many, such that the last one
+  // taken and the first one left out are not the same multiple eigenvalue.
+  static Eigen::Index number_up_to_gap(const Eigen::VectorXd& values, Eigen::Index wanted)
+  {
+    constexpr double smallest_gap = 1e-5;
+    Eigen::Index size = (std::min)(wanted, values.size());
+    while (size < values.size() && values[size] - values[size - 1] < smallest_gap * values[size])
+      ++size;
+    return size;
+  }
+
+  void take_pairs(Basis& basis,
+                  const internal::Laplace_beltrami_matrices& matrices,
+                  const internal::Eigenpairs& pairs,
+                  Eigen::Index size,
+                  double tolerance)
+  {
+    // the constant function and, since the component is connected, nothing else has eigenvalue zero
+    if (size > 1 && !(pairs.values[1] > 1e6 * std::abs(pairs.values[0])))
+      throw Reeb_graph_error("the eigenvalue zero could not be told from the others");
+    basis.eigenvalues = pairs.values.segment(1, size - 1);
+    basis.eigenfunctions = pairs.vectors.middleCols(1, size - 1);
+    for (Eigen::Index i = 0; i < basis.eigenvalues.size(); ++i) {
+      auto psi = basis.eigenfunctions.col(i);
+      Eigen::Index largest;
+      psi.cwiseAbs().maxCoeff(&largest);
+      if (psi[largest] < 0)
+        psi = -psi;
+      const Eigen::VectorXd m_psi = matrices.mass.cwiseProduct(psi);
+      const double residual =
+          (matrices.stiffness * psi - basis.eigenvalues[i] * m_psi).norm() /
+          (basis.eigenvalues[i] * m_psi.norm());
+      if (!(residual <= tolerance)) {
+        std::ostringstream message;
+        message << "eigenpair " << i + 1 << " has the relative residual " << residual
+                << ", which is more than the tolerance " << tolerance;
+        throw Reeb_graph_error(message.str());
+      }
+      m_residual = (std::max)(m_residual, residual);
+    }
+  }
+
+  template <class Weights>
+  FT distance(vertex_descriptor u, vertex_descriptor v, const Weights& weights) const
+  {
+    if (component(u) != component(v))
+      return std::numeric_limits<FT>::infinity();
+    const Basis& basis = m_bases[component(u)];
+    if (basis.eigenvalues.size() == 0)
+      return 0;
+    const Eigen::RowVectorXd difference = basis.eigenfunctions.row(m_components.position_of(u)) -
+                                          basis.eigenfunctions.row(m_components.position_of(v));
+    return std::sqrt(basis.area *
+                     difference.cwiseAbs2().dot(weights(basis.eigenvalues).transpose()));
+  }
+
+  const TriangleMesh* m_tmesh;
+  internal::Mesh_components<TriangleMesh> m_components;
+  std::vector<Basis> m_bases; // by component
+  FT m_residual = 0;
+};
+
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H

@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_SET_WALK_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_SET_WALK_H
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// A walk along a component of a level set, from crossed edge to crossed edge through the triangles
+// between them. The walk stands on the halfedge of the crossed edge that lies in the triangle to be
+// entered next. Forward walks hold halfedges that point upwards, backward walks those that point
+// downwards: so the two directions are opposite to each other all along the component.
+template <class TriangleMesh>
+class Level_set_walk
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+
+public:
+  Level_set_walk(halfedge_descriptor h, bool is_forward) : m_halfedge(h), m_is_forward(is_forward) {}
+
+  halfedge_descriptor halfedge() const { return m_halfedge; }
+  bool is_forward() const { return m_is_forward; }
+
+  bool is_at_border(const TriangleMesh& tmesh) const
+  {
+    return face(m_halfedge, tmesh) == Graph_traits::null_face();
+  }
+
+  // The lower end of the edge that the walk stands on.
+  vertex_descriptor lower_vertex(const TriangleMesh& tmesh) const
+  {
+    return m_is_forward ? source(m_halfedge, tmesh) : target(m_halfedge, tmesh);
+  }
+
+  // Crosses the next triangle. `is_above` tells on which side of the level a vertex lies.
+  // \pre the walk is not at the border
+  template <class IsAbove>
+  void step(const TriangleMesh& tmesh, const IsAbove& is_above)
+  {
+    const halfedge_descriptor n = next(m_halfedge, tmesh);
+    const bool stays_at_lower_vertex = is_above(target(n, tmesh));
+    m_halfedge =
+        opposite(stays_at_lower_vertex == m_is_forward ? next(n, tmesh) : n, tmesh);
+  }
+
+private:
+  halfedge_descriptor m_halfedge;
+  bool m_is_forward;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_SET_WALK_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_READ_GRAPH_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_READ_GRAPH_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Reads nodes and arcs, each at the position of its number.
+template <class Graph>
+void read_graph(const Graph& graph,
+                std::vector<Node_bundle<Graph>>& nodes,
+                std::vector<Arc_bundle<Graph>>& arcs,
+                std::vector<Arc_ends>& ends)
+{
+  const auto node_map = get(boost::vertex_bundle, graph);
+  const auto arc_map = get(boost::edge_bundle, graph);
+  nodes.resize(num_vertices(graph));
+  arcs.resize(num_edges(graph));
+  ends.resize(arcs.size());
+  for (auto n : CGAL::make_range(vertices(graph))) {
+    if (node_map[n].id >= nodes.size())
+      throw Reeb_graph_error("the nodes of the Reeb graph are not numbered from 0 without gaps");
+    nodes[node_map[n].id] = node_map[n];
+  }
+  for (auto e : CGAL::make_range(edges(graph))) {
+    const std::size_t i = arc_map[e].id;
+    if (i >= arcs.size())
+      throw Reeb_graph_error("the arcs of the Reeb graph are not numbered from 0 without gaps");
+    arcs[i] = arc_map[e];
+    const std::pair<std::size_t, std::size_t> ids =
+        std::minmax({node_map[source(e, graph)].id, node_map[target(e, graph)].id});
+    ends[i] = {static_cast<std::uint32_t>(ids.first), static_cast<std::uint32_t>(ids.second)};
+  }
+}
+
+// For every node the fraction of the range of finite values in its connected component.
+inline std::vector<double> fractions_of_component_ranges(const std::vector<double>& values,
+                                                         const std::vector<Arc_ends>& ends,
+                                                         double fraction)
+{
+  const std::size_t n = values.size();
+  std::vector<std::uint32_t> rank(n, 0), parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> components(rank.data(), parent.data());
+  for (const Arc_ends& e : ends)
+    components.union_set(e.lower, e.upper);
+
+  // values increase with the nodes: the first finite one of a component is its least
+  std::vector<double> least(n, std::numeric_limits<double>::quiet_NaN()), range(n, 0.);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!std::isfinite(values[i]))
+      continue;
+    const std::uint32_t c = components.find_set(static_cast<std::uint32_t>(i));
+    if (std::isnan(least[c]))
+      least[c] = values[i];
+    // scaled before the difference, which may overflow
+    range[c] = fraction * values[i] - fraction * least[c];
+  }
+  std::vector<double> result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = range[components.find_set(static_cast<std::uint32_t>(i))];
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_READ_GRAPH_H

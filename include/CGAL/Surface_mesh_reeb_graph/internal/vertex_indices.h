@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// One more than the largest index: the size of an array over the vertices. Indices need not be dense
+// (a `Surface_mesh` keeps those of removed vertices).
+template <class TriangleMesh, class VertexIndexMap>
+std::size_t index_bound(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+{
+  std::size_t bound = 0;
+  for (auto v : CGAL::make_range(vertices(tmesh)))
+    bound = (std::max)(bound, static_cast<std::size_t>(get(vertex_index_map, v)) + 1);
+  return bound;
+}
+
+template <class TriangleMesh>
+bool is_isolated(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                 const TriangleMesh& tmesh)
+{
+  return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
+}
+
+template <class TriangleMesh, class Function>
+void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                       const TriangleMesh& tmesh,
+                       Function function)
+{
+  if (is_isolated(v, tmesh))
+    return;
+  for (auto h : CGAL::halfedges_around_target(v, tmesh))
+    function(source(h, tmesh));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H

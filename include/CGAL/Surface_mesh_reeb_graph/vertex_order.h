@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphClasses
+
+The strict total order of the vertices that turns any scalar function into a Morse function
+(El Khoury et al. 2012, Section 4.3 and Eq. 13). Vertices are compared
+
+1. by their value, exactly: never with a tolerance;
+2. inside a plateau (vertices of equal value that are connected by edges) by the number of edges, along
+   the plateau, from its lower border: the vertices of the plateau that have a lower neighbor. A
+   plateau without a lower border counts from one of its vertices. So a plateau has no local minimum
+   of its own, but for the one that it is if it has no lower border;
+3. by their index.
+
+The object is a model of `StrictWeakOrdering` for vertices and can be given to `std::sort()`. On a
+function without plateaus it takes no memory.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam VertexScalarMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or any
+        other type with a strict order `<`, as value type
+\tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and a
+        distinct non-negative integer for every vertex
+*/
+template <class TriangleMesh, class VertexScalarMap, class VertexIndexMap>
+class Vertex_order
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  /// the vertex descriptor of the mesh
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  /// the type of the function's values
+  using FT = typename boost::property_traits<VertexScalarMap>::value_type;
+
+  /*!
+  prepares the order.
+
+  Takes one pass over vertices and edges; if there are plateaus, another one and four bytes per vertex.
+
+  \param tmesh the mesh; it must outlive the order
+  \param scalar_map the function
+  \param vertex_index_map the indices of the vertices
+
+  \throws Reeb_graph_error if a value is not a number; infinite values are ordered as such
+  */
+  Vertex_order(const TriangleMesh& tmesh,
+               VertexScalarMap scalar_map,
+               VertexIndexMap vertex_index_map)
+    : m_scalar_map(scalar_map), m_vertex_index_map(vertex_index_map)
+  {
+    check_values(tmesh);
+    if (exists_plateau(tmesh))
+      measure_plateaus(tmesh);
+  }
+
+  /// returns the value of `v`.
+  FT value(vertex_descriptor v) const { return get(m_scalar_map, v); }
+
+  /// returns `true` if two neighbors have the same value.
+  bool has_plateaus() const { return !m_plateau_distance.empty(); }
+
+  /// returns the number of edges from `v`, along its plateau, to the plateau's lower border
+  /// (0 for a vertex that lies in no plateau).
+  std::uint32_t plateau_distance(vertex_descriptor v) const
+  {
+    return m_plateau_distance.empty() ? 0 : m_plateau_distance[get(m_vertex_index_map, v)];
+  }
+
+  /// returns `true` if `u` comes before `v`.
+  bool operator()(vertex_descriptor u, vertex_descriptor v) const
+  {
+    const FT u_value = value(u), v_value = value(v);
+    if (u_value < v_value)
+      return true;
+    if (v_value < u_value)
+      return false;
+    const std::uint32_t u_distance = plateau_distance(u), v_distance = plateau_distance(v);
+    if (u_distance != v_distance)
+      return u_distance < v_distance;
+    return get(m_vertex_index_map, u) < get(m_vertex_index_map, v);
+  }
+
+private:
+  void check_values(const TriangleMesh& tmesh) const
+  {
+    if constexpr (std::is_floating_point<FT>::value) {
+      for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+        if (std::isnan(value(v))) {
+          std::ostringstream message;
+          message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
+          throw Reeb_graph_error(message.str());
+        }
+      }
+    }
+  }
+
+  bool are_tied(vertex_descriptor u, vertex_descriptor v) const
+  {
+    const FT u_value = value(u), v_value = value(v);
+    return !(u_value < v_value) && !(v_value < u_value);
+  }
+
+  bool exists_plateau(const TriangleMesh& tmesh) const
+  {
+    for (auto e : CGAL::make_range(edges(tmesh)))
+      if (are_tied(source(e, tmesh), target(e, tmesh)))
+        return true;
+    return false;
+  }
+
+  // Breadth-first search along the plateaus, from all lower borders at once, then from one vertex of
+  // every plateau that has none.
+  void measure_plateaus(const TriangleMesh& tmesh)
+  {
+    constexpr std::uint32_t unreached = (std::numeric_limits<std::uint32_t>::max)();
+    m_plateau_distance.assign(internal::index_bound(tmesh, m_vertex_index_map), unreached);
+
+    std::vector<vertex_descriptor> queue;
+    auto reach = [&](vertex_descriptor v, std::uint32_t distance) {
+      m_plateau_distance[get(m_vertex_index_map, v)] = distance;
+      queue.push_back(v);
+    };
+    auto search = [&]() {
+      for (std::size_t i = 0; i < queue.size(); ++i) {
+        const vertex_descriptor u = queue[i];
+        const std::uint32_t next_distance = plateau_distance(u) + 1;
+        internal::for_each_neighbor(u, tmesh, [&](vertex_descriptor v) {
+          if (plateau_distance(v) == unreached && are_tied(u, v))
+            reach(v, next_distance);
+        });
+      }
+      queue.clear();
+    };
+
+    for (vertex_descriptor u : CGAL::make_range(vertices(tmesh))) {
+      bool has_lower = false, has_tied = false;
+      internal::for_each_neighbor(u, tmesh, [&](vertex_descriptor v) {
+        has_lower = has_lower || value(v) < value(u);
+        has_tied = has_tied || are_tied(u, v);
+      });
+      if (has_lower || !has_tied)
+        reach(u, 0);
+    }
+    search();
+    for (vertex_descriptor u : CGAL::make_range(vertices(tmesh))) {
+      if (plateau_distance(u) == unreached) {
+        reach(u, 0);
+        search();
+      }
+    }
+  }
+
+  VertexScalarMap m_scalar_map;
+  VertexIndexMap m_vertex_index_map;
+  std::vector<std::uint32_t> m_plateau_distance;
+};
+
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_H
+
+/// \file surface_mesh_reeb_graph.h
+/// Includes all headers of the package.
+
+#include <CGAL/Surface_mesh_reeb_graph/IO/VTP.h>
+#include <CGAL/Surface_mesh_reeb_graph/IO/graph_formats.h>
+#include <CGAL/Surface_mesh_reeb_graph/IO/polylines.h>
+#include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/commute_time_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
+#include <CGAL/Surface_mesh_reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_reeb_graph/parameters.h>
+#include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_H
