@@ -81,7 +81,7 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
     \cgalParamDescription{pairs whose persistence is less than this are cancelled}
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{`0`}
-    \cgalParamExtra{a fraction of the range of the function's (finite) values, for each connected component on its own, unless `threshold_is_absolute` is `true`}
+    \cgalParamExtra{a fraction of the range of the function, for each connected component on its own (of the values of its nodes, those that are infinite left out), unless `threshold_is_absolute` is `true`}
   \cgalParamNEnd
   \cgalParamNBegin{threshold_is_absolute}
     \cgalParamDescription{whether `persistence_threshold` is a difference of values rather than a fraction of their range}

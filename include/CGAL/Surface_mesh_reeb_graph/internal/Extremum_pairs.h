@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_EXTREMUM_PAIRS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,9 +68,11 @@ public:
     find_pairs(ABOVE);
     std::sort(m_pairs.begin(), m_pairs.end(), [](const Extremum_pair& a, const Extremum_pair& b) {
       auto key = [](const Extremum_pair& p) {
-        // equal persistences: inner pairs first, they have saddles nearer to the side
-        const std::int64_t saddle = p.saddle;
-        return std::make_tuple(p.persistence, p.side, p.side == BELOW ? saddle : -saddle);
+        // equal persistences: inner pairs first, which have saddles nearer to the side, and at the
+        // same saddle extrema nearer to it
+        const std::int64_t sign = p.side == BELOW ? 1 : -1;
+        return std::make_tuple(
+            p.persistence, p.side, sign * std::int64_t(p.saddle), -sign * std::int64_t(p.extremum));
       };
       return key(a) < key(b);
     });
@@ -91,9 +94,9 @@ private:
     for (const Arc_ends& arc : m_arcs)
       neighbors[position[end_on(other_side, arc)]++] = end_on(side, arc);
 
-    m_parent.resize(n);
-    std::iota(m_parent.begin(), m_parent.end(), 0);
-    m_extremum = m_parent;
+    m_sets = Number_sets(n);
+    m_extremum.resize(n);
+    std::iota(m_extremum.begin(), m_extremum.end(), 0);
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint32_t node = static_cast<std::uint32_t>(side == BELOW ? k : n - 1 - k);
       for (std::size_t i = begin[node]; i < begin[node + 1]; ++i)
@@ -103,13 +106,12 @@ private:
 
   void add_neighbor(Side side, std::uint32_t node, std::uint32_t neighbor)
   {
-    const std::uint32_t a = root(node), b = root(neighbor);
+    const std::uint32_t a = m_sets.root(node), b = m_sets.root(neighbor);
     if (a == b)
       return;
-    m_parent[a] = b;
-    if (m_extremum[a] == node) { // the first neighbor: nothing merges yet
+    m_sets.join(a, b);
+    if (m_extremum[a] == node) // the first neighbor: nothing merges yet
       return;
-    }
     const bool is_a_younger = lies_towards(side, m_extremum[b], m_extremum[a]);
     add_pair(side, is_a_younger ? m_extremum[a] : m_extremum[b], node);
     if (!is_a_younger)
@@ -124,17 +126,10 @@ private:
     m_pairs.push_back({extremum, saddle, side, persistence});
   }
 
-  std::uint32_t root(std::uint32_t node)
-  {
-    while (m_parent[node] != node)
-      node = m_parent[node] = m_parent[m_parent[node]];
-    return node;
-  }
-
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_arcs;
-  std::vector<std::uint32_t> m_parent;   // union-find over the nodes
-  std::vector<std::uint32_t> m_extremum; // of the component, at its root
+  Number_sets m_sets;                    // the components so far, of nodes
+  std::vector<std::uint32_t> m_extremum; // of a component, at its root
   std::vector<Extremum_pair> m_pairs;
 };
 

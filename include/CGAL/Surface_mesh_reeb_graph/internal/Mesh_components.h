@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_COMPONENTS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_COMPONENTS_H
 
-#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -46,15 +46,24 @@ public:
     : m_component_of_vertex(get(Number_property(), tmesh))
     , m_position_of_vertex(get(Number_property(), tmesh))
   {
-    constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+    // Edges, not circulation: vertices whose faces form several fans join these too.
+    std::uint32_t n = 0;
     for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
-      put(m_component_of_vertex, v, none);
-    for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
-      if (component_of(v) == none)
-        grow_component(v, none, tmesh);
+      put(m_position_of_vertex, v, n++);
+    Number_sets sets(n);
+    for (auto e : CGAL::make_range(edges(tmesh)))
+      sets.join(sets.root(position_of(source(e, tmesh))), sets.root(position_of(target(e, tmesh))));
 
+    constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+    std::vector<std::uint32_t> component_of_set(n, none);
     for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-      Component& component = m_components[component_of(v)];
+      std::uint32_t& number = component_of_set[sets.root(position_of(v))];
+      if (number == none) {
+        number = static_cast<std::uint32_t>(m_components.size());
+        m_components.emplace_back();
+      }
+      Component& component = m_components[number];
+      put(m_component_of_vertex, v, number);
       put(m_position_of_vertex, v, static_cast<std::uint32_t>(component.vertices.size()));
       component.vertices.push_back(v);
     }
@@ -73,24 +82,6 @@ public:
 private:
   using Number_property = CGAL::dynamic_vertex_property_t<std::uint32_t>;
   using Number_map = typename boost::property_map<TriangleMesh, Number_property>::const_type;
-
-  void grow_component(vertex_descriptor seed, std::uint32_t none, const TriangleMesh& tmesh)
-  {
-    const std::uint32_t number = static_cast<std::uint32_t>(m_components.size());
-    m_components.emplace_back();
-    std::vector<vertex_descriptor> stack(1, seed);
-    put(m_component_of_vertex, seed, number);
-    while (!stack.empty()) {
-      const vertex_descriptor u = stack.back();
-      stack.pop_back();
-      for_each_neighbor(u, tmesh, [&](vertex_descriptor v) {
-        if (component_of(v) == none) {
-          put(m_component_of_vertex, v, number);
-          stack.push_back(v);
-        }
-      });
-    }
-  }
 
   Number_map m_component_of_vertex;
   Number_map m_position_of_vertex;

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Upper_level_set.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -54,7 +56,7 @@ public:
     , m_vertex_index_map(vertex_index_map)
     , m_edge_index_map(edge_index_map)
     , m_rank(index_bound(tmesh, vertex_index_map))
-    , m_label(edge_index_bound())
+    , m_label(edge_index_bound(), no_arc)
     , m_upper_level_set(tmesh, has_border())
   {
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -66,6 +68,8 @@ public:
   {
     for (vertex_descriptor v : m_order)
       process(v);
+    if (m_number_of_star_edges != number_of_halfedges())
+      throw_non_manifold();
     return std::move(m_result);
   }
 
@@ -88,6 +92,19 @@ private:
     return false;
   }
 
+  std::size_t number_of_halfedges() const
+  {
+    const auto range = halfedges(m_tmesh);
+    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
+  }
+
+  // A circulation sees one closed fan of faces around a vertex; if there are several, the data
+  // structure cannot show them all.
+  [[noreturn]] static void throw_non_manifold()
+  {
+    throw Reeb_graph_error("the mesh is not a 2-manifold: the faces around a vertex form several fans");
+  }
+
   std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
 
   std::uint32_t& label(halfedge_descriptor h)
@@ -98,19 +115,16 @@ private:
   // The arc that the component of a crossed edge belongs to now.
   std::uint32_t current_arc(halfedge_descriptor h)
   {
-    std::uint32_t arc = label(h);
-    while (m_successor[arc] != arc) {
-      m_successor[arc] = m_successor[m_successor[arc]];
-      arc = m_successor[arc];
-    }
-    return label(h) = arc;
+    if (label(h) == no_arc)
+      throw_non_manifold();
+    return label(h) = m_arc_sets.root(label(h));
   }
 
   std::uint32_t begin_arc(std::uint32_t lower_node)
   {
     const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
     m_result.arcs.push_back({lower_node, no_node});
-    m_successor.push_back(arc);
+    m_arc_sets.add();
     return arc;
   }
 
@@ -127,6 +141,7 @@ private:
     const std::uint32_t v_rank = rank(v);
     for (halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tmesh))
       m_star.push_back({h, v_rank < rank(source(h, m_tmesh))});
+    m_number_of_star_edges += m_star.size();
 
     for (std::size_t i = 0; i < m_star.size(); ++i) {
       const Star_edge& previous = m_star[i == 0 ? m_star.size() - 1 : i - 1];
@@ -174,7 +189,11 @@ private:
 
     const std::uint32_t v_rank = rank(v);
     auto is_above = [&](vertex_descriptor u) { return v_rank < rank(u); };
-    auto wedge_of = [&](halfedge_descriptor h) { return label(h); };
+    auto wedge_of = [&](halfedge_descriptor h) {
+      if (label(h) == no_arc)
+        throw_non_manifold();
+      return label(h);
+    };
     m_upper_level_set.find_components(v, is_above, wedge_of);
 
     const std::size_t up = m_upper_level_set.number_of_components();
@@ -216,7 +235,7 @@ private:
         first_arc = arc;
       if (m_upper_level_set.is_longest(i)) {
         for (std::uint32_t below : m_arcs_below)
-          m_successor[below] = arc;
+          m_arc_sets.join(below, arc);
       } else {
         m_upper_level_set.for_each_edge(
             i, v, is_above, [&](halfedge_descriptor h) { label(h) = arc; });
@@ -240,10 +259,11 @@ private:
   const std::vector<vertex_descriptor>& m_order;
   VertexIndexMap m_vertex_index_map;
   EdgeIndexMap m_edge_index_map;
-  std::vector<std::uint32_t> m_rank;      // by vertex index
-  std::vector<std::uint32_t> m_label;     // by edge index, valid for crossed edges
-  std::vector<std::uint32_t> m_successor; // union-find over the arcs
+  std::vector<std::uint32_t> m_rank;  // by vertex index
+  std::vector<std::uint32_t> m_label; // by edge index, valid for crossed edges
+  Number_sets m_arc_sets;             // arcs that have ended, with the arc that has their labels now
   Arc_list<vertex_descriptor> m_result;
+  std::size_t m_number_of_star_edges = 0;
 
   // The star of the current vertex; members, so that no vertex allocates.
   std::vector<Star_edge> m_star;

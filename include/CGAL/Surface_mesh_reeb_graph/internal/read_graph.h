@@ -12,20 +12,19 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -61,24 +60,24 @@ void read_graph(const Graph& graph,
   }
 }
 
-// For every node the fraction of the range of finite values in its connected component.
+// For every node the fraction of the range of finite values of the nodes in its connected component.
 inline std::vector<double> fractions_of_component_ranges(const std::vector<double>& values,
                                                          const std::vector<Arc_ends>& ends,
                                                          double fraction)
 {
   const std::size_t n = values.size();
-  std::vector<std::uint32_t> rank(n, 0), parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> components(rank.data(), parent.data());
+  if (std::isinf(fraction))
+    return std::vector<double>(n, fraction);
+  Number_sets components(n);
   for (const Arc_ends& e : ends)
-    components.union_set(e.lower, e.upper);
+    components.join(components.root(e.lower), components.root(e.upper));
 
   // values increase with the nodes: the first finite one of a component is its least
   std::vector<double> least(n, std::numeric_limits<double>::quiet_NaN()), range(n, 0.);
   for (std::size_t i = 0; i < n; ++i) {
     if (!std::isfinite(values[i]))
       continue;
-    const std::uint32_t c = components.find_set(static_cast<std::uint32_t>(i));
+    const std::uint32_t c = components.root(static_cast<std::uint32_t>(i));
     if (std::isnan(least[c]))
       least[c] = values[i];
     // scaled before the difference, which may overflow
@@ -86,7 +85,7 @@ inline std::vector<double> fractions_of_component_ranges(const std::vector<doubl
   }
   std::vector<double> result(n);
   for (std::size_t i = 0; i < n; ++i)
-    result[i] = range[components.find_set(static_cast<std::uint32_t>(i))];
+    result[i] = range[components.root(static_cast<std::uint32_t>(i))];
   return result;
 }
 

@@ -1,0 +1,112 @@
+#ifndef REEB_GRAPH_TOOL_OPTIONS_H
+#define REEB_GRAPH_TOOL_OPTIONS_H
+
+#include "types.h"
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+inline std::array<double, 3> parse_axis(const std::string& text)
+{
+  std::istringstream in(text);
+  std::array<double, 3> axis;
+  char comma_1 = 0, comma_2 = 0, rest = 0;
+  if (!(in >> axis[0] >> comma_1 >> axis[1] >> comma_2 >> axis[2]) || comma_1 != ',' ||
+      comma_2 != ',' || in >> rest)
+    throw std::runtime_error("--axis: '" + text + "' is not of the form x,y,z");
+  return axis;
+}
+
+inline void check_options(const Options& options)
+{
+  const auto require = [](bool condition, const std::string& message) {
+    if (!condition)
+      throw std::runtime_error(message);
+  };
+  const auto is_time = [](double t) { return t >= 0 && std::isfinite(t); };
+  require(options.function == "commute_time" || options.function == "height" ||
+              options.function == "eigenfunction",
+          "--function: there is no function '" + options.function +
+              "'; there are commute_time, height and eigenfunction");
+  require(options.index >= 1, "--index must be at least 1");
+  require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
+  require(options.simplify >= 0, "--simplify must not be negative");
+  require(is_time(options.small_time), "--small-time must be finite and not negative");
+  require(is_time(options.large_time), "--large-time must be finite and not negative");
+}
+
+// Returns false if the user has asked for help only.
+inline bool parse_options(int argc, char* argv[], Options& options)
+{
+  namespace po = boost::program_options;
+
+  std::string axis = "0,0,1", report = "text";
+  po::options_description visible("Options");
+  visible.add_options()("help,h", "show this text")(
+      "function",
+      po::value(&options.function)->value_name("NAME")->default_value(options.function),
+      "commute_time, height or eigenfunction")(
+      "axis",
+      po::value(&axis)->value_name("X,Y,Z")->default_value(axis),
+      "the direction of increasing height")(
+      "index",
+      po::value(&options.index)->value_name("K")->default_value(options.index),
+      "the eigenfunction of the K-th smallest eigenvalue, from 1 on")(
+      "values",
+      po::value(&options.values_file)->value_name("FILE"),
+      "a function of your own instead: one number per vertex in the order of the mesh file, as text, "
+      "or as little-endian doubles if the name ends in .f64")(
+      "simplify",
+      po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
+      "cancel branches shorter than this fraction of the function's range")(
+      "eigenpairs",
+      po::value(&options.eigenpairs)->value_name("N")->default_value(options.eigenpairs),
+      "how many eigenfunctions commute_time uses")(
+      "small-time",
+      po::value(&options.small_time)
+          ->value_name("T")
+          ->default_value(options.small_time, "1.5"),
+      "the diffusion time at which commute_time finds the feature points")(
+      "large-time",
+      po::value(&options.large_time)->value_name("T")->default_value(options.large_time, "20"),
+      "the diffusion time at which commute_time finds the farthest pair")(
+      "output",
+      po::value(&options.output)->value_name("PREFIX"),
+      "write PREFIX.values.txt, .graphml, .dot, .polylines.txt, .ply and .vtp")(
+      "report",
+      po::value(&report)->value_name("text|json")->default_value(report),
+      "what to print");
+  po::options_description all;
+  all.add(visible).add_options()("mesh", po::value(&options.mesh_file));
+  po::positional_options_description positions;
+  positions.add("mesh", 1);
+
+  const int style =
+      po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+  po::variables_map given;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(),
+      given);
+  po::notify(given);
+  if (given.count("help")) {
+    std::cout << "Computes the Reeb graph of a triangle mesh.\n\n"
+                 "usage: reeb_graph [options] MESH\n\n"
+                 "MESH is an OFF, OBJ, PLY or STL file.\n\n"
+              << visible;
+    return false;
+  }
+  if (options.mesh_file.empty())
+    throw std::runtime_error("no mesh is given; see --help");
+  if (report != "text" && report != "json")
+    throw std::runtime_error("--report: '" + report + "' is neither text nor json");
+  options.json = report == "json";
+  options.axis = parse_axis(axis);
+  check_options(options);
+  return true;
+}
+
+#endif // REEB_GRAPH_TOOL_OPTIONS_H

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Computes the Reeb graph of a mesh, from nothing: installs what is missing, builds the command-line
+# tool and runs it. The results go to the folder reeb_graph_output in the current folder.
+#
+#   examples/run.sh [MESH]     MESH is an OFF, OBJ, PLY or STL file; CGAL's camel if it is not given
+set -euo pipefail
+
+# shellcheck source=examples/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+if [ "$#" -gt 1 ] || [[ "${1:-}" == -* ]]; then
+  echo "usage: ${0##*/} [MESH]" >&2
+  exit 2
+fi
+if [ "$#" -eq 1 ] && [ ! -r "$1" ]; then
+  echo "${0##*/}: cannot read '$1'" >&2
+  exit 1
+fi
+
+start_log "$root/build/examples_run.log"
+install_missing g++ cmake make libcgal-dev libeigen3-dev libspectra-dev libboost-dev \
+  libboost-graph-dev libboost-program-options-dev nlohmann-json3-dev
+if [ "$#" -eq 1 ]; then
+  mesh=$1
+else
+  find_cgal_data
+  mesh=$CGAL_DATA_DIR/meshes/camel.off
+fi
+
+if [ -e "$root/build/release/CMakeCache.txt" ]; then
+  configure release
+else
+  # The tests ask for more packages than the tool.
+  configure release -D SURFACE_MESH_REEB_GRAPH_BUILD_TESTS=OFF
+fi
+progress "Building the tool (a minute or two the first time) ..."
+build release --target reeb_graph
+
+mkdir -p reeb_graph_output
+name=${mesh##*/}
+prefix=reeb_graph_output/${name%.*}
+"$root/build/release/examples/Surface_mesh_reeb_graph/reeb_graph" "$mesh" \
+  --simplify 0.1 --output "$prefix" --report text
+
+cat <<END
+
+Files, and what opens them:
+  $prefix.ply            the mesh, coloured by the function   MeshLab, Blender
+  $prefix.vtp            the mesh, its values and arcs        ParaView
+  $prefix.polylines.txt  the arcs in space                    CGAL Polyhedron demo
+  $prefix.graphml        the graph                            Gephi, yEd
+  $prefix.dot            the graph                            Graphviz: dot -Tsvg $prefix.dot > $prefix.svg
+  $prefix.values.txt     the function, a value per vertex     reeb_graph --values
+END

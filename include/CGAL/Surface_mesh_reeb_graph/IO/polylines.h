@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_IO_POLYLINES_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_IO_POLYLINES_H
+
+#include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <limits>
+#include <ostream>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace IO {
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes the arcs of a Reeb graph as polylines, in \cgal's format: a line for every arc, in the order of `edges(graph)`, with
+the number of points and their coordinates. Coordinates are written such that they can be read back exactly.
+
+\param out the stream
+\param graph the Reeb graph
+\param tmesh the mesh
+\param np named parameters, as for `arc_polyline()`
+
+\return `true` if the stream is good afterwards
+
+\throws Reeb_graph_error as `arc_polyline()`
+*/
+template <class Graph,
+          class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool write_polylines(std::ostream& out,
+                     const Graph& graph,
+                     const TriangleMesh& tmesh,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const std::streamsize precision = out.precision(std::numeric_limits<double>::max_digits10);
+  for (auto arc : CGAL::make_range(edges(graph))) {
+    const auto polyline = arc_polyline(arc, graph, tmesh, np);
+    out << polyline.size();
+    for (const auto& p : polyline)
+      out << ' ' << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' '
+          << CGAL::to_double(p.z());
+    out << '\n';
+  }
+  out.precision(precision);
+  return out.good();
+}
+
+} // namespace IO
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_IO_POLYLINES_H

@@ -1,0 +1,338 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE compute_reeb_graph
+
+#include "reeb_graph_checks.h"
+
+#include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+using namespace Reeb_graph_test;
+
+namespace {
+
+Graph reeb_graph(Case& c)
+{
+  Graph graph;
+  SMRG::compute_reeb_graph(
+      c.mesh,
+      c.values,
+      graph,
+      SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true));
+  check_consistency(c, graph);
+  return graph;
+}
+
+// The rank of every vertex in the library's order, which also orders equal values.
+std::vector<std::size_t> rank_of(const Case& c)
+{
+  const auto indices = get(boost::vertex_index, c.mesh);
+  const SMRG::Vertex_order<Mesh, Value_map, std::decay_t<decltype(indices)>> order(
+      c.mesh, c.values, indices);
+  std::vector<Vertex> sorted(c.mesh.vertices().begin(), c.mesh.vertices().end());
+  std::sort(sorted.begin(), sorted.end(), order);
+  std::vector<std::size_t> rank(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    rank[sorted[i]] = i;
+  return rank;
+}
+
+std::size_t number_of_loops(const Graph& graph, const Index_mesh& mesh)
+{
+  return num_edges(graph) + number_of_components(mesh) - num_vertices(graph);
+}
+
+bool has_simple_saddles(const Graph& graph)
+{
+  for (const auto node : CGAL::make_range(vertices(graph)))
+    if (graph[node].type == SMRG::DEGENERATE)
+      return false;
+  return true;
+}
+
+template <class Function>
+void for_random_cases(const Function& function)
+{
+  for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const bool pinched = seed % 4 == 3;
+      function(random_small_mesh(rng, pinched), rng);
+    }
+  }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> neighbors_of(const Index_mesh& mesh)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (const auto& e : edges_of(mesh)) {
+    result.push_back(e);
+    result.emplace_back(e.second, e.first);
+  }
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(agrees_with_brute_force_for_distinct_values)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    Case c(mesh, random_values(mesh.points.size(), rng));
+    const Graph graph = reeb_graph(c);
+    const Brute_force_reeb_graph oracle = brute_force_reeb_graph(mesh, rank_of(c));
+    BOOST_TEST((comparable_arcs(graph) == comparable_arcs(oracle)));
+    BOOST_REQUIRE(num_vertices(graph) == oracle.nodes.size());
+    for (std::size_t i = 0; i < oracle.nodes.size(); ++i) {
+      BOOST_TEST(std::size_t(graph[i].vertex) == oracle.nodes[i].vertex);
+      BOOST_TEST(graph[i].type == SMRG::reeb_node_type(oracle.nodes[i].down, oracle.nodes[i].up));
+    }
+  });
+}
+
+// A function with few values has large plateaus. With the ranks of the vertices in the place of the
+// values nothing is tied, and the graph must be that of the oracle. From the tied values themselves,
+// the pairs inside plateaus are cancelled: what is left are the extrema that the oracle pairs with a
+// different value.
+BOOST_AUTO_TEST_CASE(agrees_with_brute_force_for_tied_values)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    const std::size_t n = mesh.points.size();
+    Case c(mesh, random_integer_values(n, 1 + random_index(6, rng), rng));
+    const std::vector<std::size_t> rank = rank_of(c);
+
+    Case ranked(mesh, std::vector<double>(rank.begin(), rank.end()));
+    const Graph ranked_graph = reeb_graph(ranked);
+    BOOST_TEST((comparable_arcs(ranked_graph) ==
+                comparable_arcs(brute_force_reeb_graph(mesh, rank))));
+
+    const Graph graph = reeb_graph(c);
+    BOOST_TEST(number_of_loops(graph, mesh) == number_of_loops(ranked_graph, mesh));
+    for (const bool minima : {true, false}) {
+      const Extremum_pairs pairs =
+          brute_force_extremum_pairs(mesh, minima ? rank : reversed_rank(rank));
+      std::vector<std::size_t> expected = pairs.unpaired_extrema;
+      for (const Extremum_pair& pair : pairs.pairs)
+        if (c.values[Vertex(pair.extremum)] != c.values[Vertex(pair.saddle)])
+          expected.push_back(pair.extremum);
+      std::sort(expected.begin(), expected.end());
+      BOOST_TEST(extrema(graph, minima) == expected, boost::test_tools::per_element());
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(constant_function_has_one_minimum_and_one_maximum_per_component)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937&) {
+    Case c(mesh, constant_values(mesh.points.size()));
+    const Graph graph = reeb_graph(c);
+    BOOST_TEST(extrema(graph, true).size() == number_of_components(mesh));
+    BOOST_TEST(extrema(graph, false).size() == number_of_components(mesh));
+  });
+
+  Case c(sphere(3), constant_values(sphere(3).points.size()));
+  const Graph graph = reeb_graph(c);
+  BOOST_TEST(num_vertices(graph) == 2u);
+  BOOST_TEST(num_edges(graph) == 1u);
+}
+
+// The order by value, then by the distance along the plateau, then by index, by its definition.
+BOOST_AUTO_TEST_CASE(vertex_order_counts_plateaus_from_their_lower_borders)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    const std::size_t n = mesh.points.size();
+    const std::vector<double> values = random_integer_values(n, 1 + random_index(4, rng), rng);
+    const Case c(mesh, values);
+    const auto neighbors = neighbors_of(mesh);
+
+    // distances by relaxation until nothing changes
+    const std::size_t infinity = n + 1;
+    std::vector<std::size_t> distance(n, infinity);
+    const auto relax = [&]() {
+      for (bool changes = true; changes;) {
+        changes = false;
+        for (const auto& e : neighbors) {
+          if (values[e.first] == values[e.second] && distance[e.first] + 1 < distance[e.second]) {
+            distance[e.second] = distance[e.first] + 1;
+            changes = true;
+          }
+        }
+      }
+    };
+    std::vector<bool> is_tied(n, false);
+    for (const auto& e : neighbors) {
+      if (values[e.second] < values[e.first])
+        distance[e.first] = 0;
+      is_tied[e.first] = is_tied[e.first] || values[e.first] == values[e.second];
+    }
+    for (std::size_t v = 0; v < n; ++v)
+      if (!is_tied[v])
+        distance[v] = 0;
+    relax();
+    for (std::size_t v = 0; v < n; ++v) {
+      if (distance[v] == infinity) {
+        distance[v] = 0;
+        relax();
+      }
+    }
+
+    const std::vector<std::size_t> rank = rank_of(c);
+    const auto key = [&](std::size_t v) { return std::make_tuple(values[v], distance[v], v); };
+    for (std::size_t u = 0; u < n; ++u)
+      for (std::size_t v = 0; v < n; ++v)
+        BOOST_REQUIRE((rank[u] < rank[v]) == (key(u) < key(v)));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(reversed_function_turns_the_graph_upside_down)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    std::vector<double> values = random_values(mesh.points.size(), rng);
+    Case c(mesh, values);
+    std::vector<Comparable_arc> expected;
+    for (const Comparable_arc& arc : comparable_arcs(reeb_graph(c)))
+      expected.emplace_back(std::get<1>(arc), std::get<0>(arc), std::get<2>(arc));
+    std::sort(expected.begin(), expected.end());
+    for (double& value : values)
+      value = -value;
+    c.set(values);
+    BOOST_TEST((comparable_arcs(reeb_graph(c)) == expected));
+  });
+}
+
+// Renumbering and a monotone map of the values change nothing, not even the numbers of the arcs.
+BOOST_AUTO_TEST_CASE(does_not_depend_on_numbering_and_scale)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    const std::size_t n = mesh.points.size();
+    const std::vector<double> values = random_values(n, rng);
+    Case c(mesh, values);
+    const Graph graph = reeb_graph(c);
+
+    const std::vector<std::size_t> new_number = random_permutation(n, rng);
+    Index_mesh renumbered = mesh;
+    std::vector<double> new_values(n);
+    for (std::size_t v = 0; v < n; ++v) {
+      renumbered.points[new_number[v]] = mesh.points[v];
+      new_values[new_number[v]] = std::exp(3 * values[v]);
+    }
+    for (auto& triangle : renumbered.triangles)
+      for (std::size_t& v : triangle)
+        v = new_number[v];
+    shuffle(renumbered.triangles, rng);
+    Case other(renumbered, new_values);
+    const Graph other_graph = reeb_graph(other);
+
+    BOOST_REQUIRE(num_vertices(graph) == num_vertices(other_graph));
+    BOOST_REQUIRE(num_edges(graph) == num_edges(other_graph));
+    for (std::size_t i = 0; i < num_vertices(graph); ++i)
+      BOOST_TEST(new_number[graph[i].vertex] == std::size_t(other_graph[i].vertex));
+    for (const Vertex v : c.mesh.vertices())
+      BOOST_TEST(c.arcs[v] == other.arcs[Vertex(static_cast<unsigned>(new_number[v]))]);
+  });
+}
+
+// On larger closed surfaces whose saddles are all simple.
+BOOST_AUTO_TEST_CASE(loops_equal_genus_and_nodes_the_euler_characteristic)
+{
+  std::mt19937 rng(1);
+  unsigned simple_cases = 0;
+  for (std::size_t g = 0; g <= 5; ++g) {
+    for (unsigned i = 0; i < 20; ++i) {
+      const Index_mesh mesh = g == 0 ? sphere(3) : closed_surface(g, 6 + i % 5, 5 + i % 7);
+      BOOST_REQUIRE(genus(mesh) == g);
+      Case c(mesh, random_values(mesh.points.size(), rng));
+      const Graph graph = reeb_graph(c);
+      if (has_simple_saddles(graph)) {
+        ++simple_cases;
+        BOOST_TEST(number_of_loops(graph, mesh) == g);
+      } else {
+        BOOST_TEST(number_of_loops(graph, mesh) <= g);
+      }
+    }
+  }
+  BOOST_TEST(simple_cases > 0u);
+
+  for (const double tilt : {0.1, 0.5, 0.9}) {
+    const Index_mesh mesh = torus(40, 20);
+    std::vector<double> height;
+    for (const auto& p : mesh.points)
+      height.push_back(p[0] + tilt * 0.3 * p[1] + 0.01 * tilt * p[2]);
+    Case c(mesh, height);
+    const Graph graph = reeb_graph(c);
+    BOOST_TEST(num_vertices(graph) == 4u);
+    BOOST_TEST(number_of_loops(graph, mesh) == 1u);
+    BOOST_TEST(graph[0].type == SMRG::MINIMUM);
+    BOOST_TEST(graph[1].type == SMRG::SPLIT_SADDLE);
+    BOOST_TEST(graph[2].type == SMRG::MERGE_SADDLE);
+    BOOST_TEST(graph[3].type == SMRG::MAXIMUM);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(borders_are_open_level_sets)
+{
+  // along its axis a cylinder is one arc; across, the level sets are two segments in the middle
+  const Index_mesh mesh = cylinder(24, 7);
+  std::vector<double> along, across;
+  for (const auto& p : mesh.points) {
+    along.push_back(p[2] + 1e-3 * p[0]);
+    across.push_back(p[0] + 1e-3 * p[1] + 1e-6 * p[2]);
+  }
+  Case c(mesh, along);
+  BOOST_TEST(extrema(reeb_graph(c), true).size() == 1u);
+  BOOST_TEST(number_of_loops(reeb_graph(c), mesh) == 0u);
+  c.set(across);
+  BOOST_TEST(number_of_loops(reeb_graph(c), mesh) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(infinite_values_are_ordered_as_such)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  for_random_cases([infinity](const Index_mesh& mesh, std::mt19937& rng) {
+    const std::size_t n = mesh.points.size();
+    std::vector<double> values = random_integer_values(n, 7, rng);
+    Case finite(mesh, values);
+    for (double& value : values)
+      value = value == 0 ? -infinity : value == 6 ? infinity : value;
+    Case infinite(mesh, values);
+    BOOST_TEST((comparable_arcs(reeb_graph(finite)) == comparable_arcs(reeb_graph(infinite))));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(empty_mesh_gives_an_empty_graph)
+{
+  Case c(Index_mesh(), {});
+  BOOST_TEST(num_vertices(reeb_graph(c)) == 0u);
+
+  Index_mesh points;
+  points.points.resize(3);
+  Case isolated(points, {1, 0, 2});
+  const Graph graph = reeb_graph(isolated);
+  BOOST_TEST(num_vertices(graph) == 3u);
+  BOOST_TEST(num_edges(graph) == 0u);
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(graph[i].type == SMRG::ISOLATED);
+}
+
+BOOST_AUTO_TEST_CASE(nan_is_an_error_that_names_the_vertex)
+{
+  std::mt19937 rng(5);
+  Case c(sphere(1), random_values(42, rng));
+  Graph graph = reeb_graph(c);
+  const std::size_t nodes = num_vertices(graph);
+  const std::size_t arc_of_3 = c.arcs[Vertex(3)];
+  c.values[Vertex(17)] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_EXCEPTION(
+      SMRG::compute_reeb_graph(c.mesh, c.values, graph, SMRG::parameters::vertex_arc_map(c.arcs)),
+      SMRG::Reeb_graph_error,
+      [](const SMRG::Reeb_graph_error& error) {
+        return std::string(error.what()).find("vertex 17 ") != std::string::npos;
+      });
+  BOOST_TEST(num_vertices(graph) == nodes);
+  BOOST_TEST(c.arcs[Vertex(3)] == arc_of_3);
+}
