@@ -134,6 +134,39 @@ using Reeb_graph = boost::adjacency_list<boost::vecS,
                                          Reeb_node<TriangleMesh, FT>,
                                          Reeb_arc<TriangleMesh>>;
 
+/// \cond SKIP_IN_MANUAL
+
+// CGAL has a function template of this name for the halfedge data structures, which argument-dependent
+// lookup also finds for a Boost graph whose bundles know a mesh of CGAL, and which would be preferred
+// to Boost's there. This overload leads such calls, in boost::isomorphism() for example, back to Boost.
+template <class OutEdgeList,
+          class VertexList,
+          class Directed,
+          class VertexProperty,
+          class EdgeProperty,
+          class GraphProperty,
+          class EdgeList>
+auto adjacent_vertices(
+    typename boost::adjacency_list<OutEdgeList,
+                                   VertexList,
+                                   Directed,
+                                   VertexProperty,
+                                   EdgeProperty,
+                                   GraphProperty,
+                                   EdgeList>::vertex_descriptor v,
+    const boost::adjacency_list<OutEdgeList,
+                                VertexList,
+                                Directed,
+                                VertexProperty,
+                                EdgeProperty,
+                                GraphProperty,
+                                EdgeList>& graph)
+{
+  return boost::adjacent_vertices(v, graph);
+}
+
+/// \endcond
+
 /// \ingroup PkgSurfaceMeshReebGraphClasses
 /// the arc number of a vertex that belongs to no arc because it has no edges
 /// (converted to the value type of the user's map).
