@@ -135,8 +135,7 @@ void floor_pass(benchmark::State& state)
     std::fill(count.begin(), count.end(), std::uint8_t(0));
     for (Mesh::Face_index f : mesh.faces()) {
       const Mesh::Halfedge_index h = mesh.halfedge(f);
-      std::array<std::size_t, 3> v = {
-          mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+      std::array<std::size_t, 3> v = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
       if (values[v[0]] > values[v[1]])
         std::swap(v[0], v[1]);
       if (values[v[1]] > values[v[2]])

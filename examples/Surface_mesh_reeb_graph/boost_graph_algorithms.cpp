@@ -37,8 +37,7 @@ bool read(const std::string& filename, Mesh& mesh, Graph& graph)
 int main(int argc, char* argv[])
 {
   // two poses of a shape; one is compared with itself
-  const std::string filename =
-      argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
   Mesh mesh, other_mesh;
   Graph graph, other_graph;
   if (!read(filename, mesh, graph) || !read(argc > 2 ? argv[2] : filename, other_mesh, other_graph))

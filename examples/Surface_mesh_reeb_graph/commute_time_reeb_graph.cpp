@@ -11,8 +11,8 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(
-          argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off"), mesh))
+  if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off"),
+                                   mesh))
     return EXIT_FAILURE;
 
   SMRG::Reeb_graph<Mesh> graph;

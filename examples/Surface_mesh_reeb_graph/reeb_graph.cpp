@@ -109,8 +109,8 @@ void run(const Options& options, Result& result)
     SMRG::compute_reeb_graph(result.mesh, result.values, result.graph, graph_parameters);
   });
   std::vector<std::size_t> components(num_vertices(result.graph));
-  result.number_of_components = static_cast<std::size_t>(
-      boost::connected_components(result.graph, components.data()));
+  result.number_of_components =
+      static_cast<std::size_t>(boost::connected_components(result.graph, components.data()));
   timed(result.seconds.simplify, progress, "simplifying the Reeb graph", [&]() {
     SMRG::simplify_reeb_graph(result.mesh,
                               result.values,

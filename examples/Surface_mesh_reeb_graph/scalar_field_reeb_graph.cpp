@@ -16,8 +16,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename =
-      argc > 1 ? argv[1] : CGAL::data_file_path("meshes/eight.off");
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/eight.off");
   Mesh mesh;
   if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::is_triangle_mesh(mesh)) {
     std::cerr << filename << ": not a triangle mesh\n";

@@ -20,10 +20,7 @@ Graph reeb_graph(Case& c)
 {
   Graph graph;
   SMRG::compute_reeb_graph(
-      c.mesh,
-      c.values,
-      graph,
-      SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true));
+      c.mesh, c.values, graph, SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true));
   check_consistency(c, graph);
   return graph;
 }
@@ -108,8 +105,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_brute_force_for_tied_values)
 
     Case ranked(mesh, std::vector<double>(rank.begin(), rank.end()));
     const Graph ranked_graph = reeb_graph(ranked);
-    BOOST_TEST((comparable_arcs(ranked_graph) ==
-                comparable_arcs(brute_force_reeb_graph(mesh, rank))));
+    BOOST_TEST(
+        (comparable_arcs(ranked_graph) == comparable_arcs(brute_force_reeb_graph(mesh, rank))));
 
     const Graph graph = reeb_graph(c);
     BOOST_TEST(number_of_loops(graph, mesh) == number_of_loops(ranked_graph, mesh));

@@ -47,7 +47,6 @@
 #include <limits>
 #include <map>
 #include <random>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -448,6 +447,11 @@ const Scalar_result& scalar_reference()
   return result;
 }
 
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
 // A vertex map that is a lambda.
 template <class Key, class Function>
 auto function_map(const Function& function)
@@ -485,7 +489,6 @@ using Mesh_types = boost::mpl::list<Surface_mesh_of<Float_kernel>,
                                     Surface_mesh_of<EPICK>,
                                     Surface_mesh_of<EPECK>,
                                     Plain_polyhedron,
-                                    CGAL::Polyhedron_3<EPECK>,
                                     Polyhedron_with_ids>;
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(same_graph_of_a_scalar_function, TriangleMesh, Mesh_types)
@@ -1208,7 +1211,7 @@ void check_nan()
 
   values[29] = std::numeric_limits<Float>::quiet_NaN();
   const auto names_the_vertex = [](const SMRG::Reeb_graph_error& error) {
-    return std::regex_search(error.what(), std::regex("\\b29\\b"));
+    return contains(error.what(), " 29 ");
   };
   BOOST_CHECK_EXCEPTION(
       SMRG::compute_reeb_graph(input.mesh,
@@ -1251,16 +1254,15 @@ BOOST_AUTO_TEST_CASE(coordinate_that_is_not_finite)
     std::vector<double> values(mesh.points.size(), 77);
     std::vector<int> arcs(mesh.points.size(), 77);
     std::vector<Vertex> points;
-    BOOST_CHECK_EXCEPTION(SMRG::commute_time_reeb_graph(
-                              input.mesh,
-                              graph,
-                              SMRG::parameters::vertex_value_map(CGAL::make_property_map(values))
-                                  .vertex_arc_map(CGAL::make_property_map(arcs))
-                                  .output_iterator(std::back_inserter(points))),
-                          SMRG::Reeb_graph_error,
-                          [](const SMRG::Reeb_graph_error& error) {
-                            return std::regex_search(error.what(), std::regex("\\b31\\b"));
-                          });
+    BOOST_CHECK_EXCEPTION(
+        SMRG::commute_time_reeb_graph(
+            input.mesh,
+            graph,
+            SMRG::parameters::vertex_value_map(CGAL::make_property_map(values))
+                .vertex_arc_map(CGAL::make_property_map(arcs))
+                .output_iterator(std::back_inserter(points))),
+        SMRG::Reeb_graph_error,
+        [](const SMRG::Reeb_graph_error& error) { return contains(error.what(), " 31 "); });
     BOOST_CHECK_EQUAL(num_vertices(graph), 1u);
     BOOST_CHECK_EQUAL(std::count(values.begin(), values.end(), 77),
                       static_cast<long>(values.size()));
@@ -1635,16 +1637,18 @@ BOOST_FIXTURE_TEST_CASE(graphviz, Graph_fixture)
   std::istringstream in(text);
   std::string line;
   std::size_t number_of_nodes = 0, number_of_arcs = 0;
-  const std::regex value("[\\[ ]value=\"?([^\",\\]]+)");
   while (std::getline(in, line)) {
     if (line.find("--") != std::string::npos) {
       ++number_of_arcs;
     } else if (line.find('[') != std::string::npos) {
-      std::smatch match;
-      BOOST_REQUIRE(std::regex_search(line, match, value));
+      const std::string name = " value=";
+      const std::size_t begin = line.find(name);
+      BOOST_REQUIRE(begin != std::string::npos);
+      std::string value = line.substr(begin + name.size());
+      value.erase(std::remove(value.begin(), value.end(), '"'), value.end());
       const std::size_t id = static_cast<std::size_t>(std::stoul(line));
       BOOST_REQUIRE_LT(id, num_vertices(graph));
-      BOOST_CHECK_EQUAL(std::stod(match[1].str()), graph[id].value);
+      BOOST_CHECK_EQUAL(std::stod(value), graph[id].value);
       ++number_of_nodes;
     }
   }
@@ -1712,7 +1716,7 @@ void check_vtp_of_isolated_vertex()
   std::ostringstream out;
   SMRG::IO::write_VTP(
       out, input.mesh, CGAL::make_property_map(values), CGAL::make_property_map(arcs));
-  BOOST_CHECK(std::regex_search(out.str(), std::regex("Name=\"arc\"[^>]*>\\s*-1\\s*<")));
+  BOOST_CHECK(contains(out.str(), "Name=\"arc\" format=\"ascii\">\n-1\n<"));
 }
 
 BOOST_AUTO_TEST_CASE(vtp_of_isolated_vertex)

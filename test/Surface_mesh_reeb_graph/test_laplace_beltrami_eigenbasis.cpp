@@ -1214,7 +1214,7 @@ BOOST_AUTO_TEST_CASE(needles_do_no_harm)
 }
 
 // What is as thin as the lengths are mollified is at the limits of double precision: a sound basis
-// or an error that says that the residual is too large.
+// or an error that says what could not be computed.
 BOOST_AUTO_TEST_CASE(extremely_thin_surfaces_are_sound_or_an_error)
 {
   const Index_mesh collinear = transformed(potato(2), [](const std::array<double, 3>& p) {
@@ -1227,7 +1227,7 @@ BOOST_AUTO_TEST_CASE(extremely_thin_surfaces_are_sound_or_an_error)
     if (message.empty())
       BOOST_TEST(is_sound(Shape(mesh)));
     else
-      BOOST_TEST(contains(message, "residual"));
+      BOOST_TEST((contains(message, "residual") || contains(message, "eigenvalue zero")));
   }
 }
 

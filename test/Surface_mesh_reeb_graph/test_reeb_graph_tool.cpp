@@ -64,8 +64,8 @@ struct Folder
     Mesh m;
     std::vector<Mesh::Vertex_index> vertices;
     make_mesh(mesh, m, vertices);
-    BOOST_REQUIRE(CGAL::IO::write_polygon_mesh(
-        file(name), m, CGAL::parameters::stream_precision(17)));
+    BOOST_REQUIRE(
+        CGAL::IO::write_polygon_mesh(file(name), m, CGAL::parameters::stream_precision(17)));
     return file(name);
   }
 };
@@ -141,10 +141,20 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
   std::vector<std::string> keys, seconds;
   for (const auto& item : j.items())
     keys.push_back(item.key());
-  std::vector<std::string> expected = {"vertices", "faces",      "components",     "nodes",
-                                       "arcs",     "loops",      "minima",         "maxima",
-                                       "splits",   "merges",     "degenerate",     "feature_points",
-                                       "seconds",  "eigenvalues"};
+  std::vector<std::string> expected = {"vertices",
+                                       "faces",
+                                       "components",
+                                       "nodes",
+                                       "arcs",
+                                       "loops",
+                                       "minima",
+                                       "maxima",
+                                       "splits",
+                                       "merges",
+                                       "degenerate",
+                                       "feature_points",
+                                       "seconds",
+                                       "eigenvalues"};
   std::sort(expected.begin(), expected.end());
   BOOST_TEST(keys == expected, boost::test_tools::per_element());
   for (const auto& item : j["seconds"].items())
@@ -156,9 +166,9 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
   BOOST_TEST(j["faces"] == 576);
   BOOST_TEST(j["components"] == 1);
   BOOST_TEST(j["loops"] == 1);
-  BOOST_TEST(j["nodes"].get<int>() ==
-             j["minima"].get<int>() + j["maxima"].get<int>() + j["splits"].get<int>() +
-                 j["merges"].get<int>() + j["degenerate"].get<int>());
+  BOOST_TEST(j["nodes"].get<int>() == j["minima"].get<int>() + j["maxima"].get<int>() +
+                                          j["splits"].get<int>() + j["merges"].get<int>() +
+                                          j["degenerate"].get<int>());
   BOOST_TEST(j["eigenvalues"].size() == 1u);
   BOOST_TEST(j["eigenvalues"][0].size() >= 50u);
   BOOST_TEST(j["eigenvalues"][0][0].get<double>() > 0);
@@ -247,10 +257,10 @@ BOOST_AUTO_TEST_CASE(writes_all_files)
     const int arc = arc_numbers[Mesh::Vertex_index(static_cast<unsigned>(v))];
     BOOST_TEST((v == 288 ? arc == -1 : 0 <= arc && arc < static_cast<int>(arcs)));
   }
-  BOOST_TEST((colors[Mesh::Vertex_index(static_cast<unsigned>(lowest))] ==
-              CGAL::IO::Color(255, 0, 0)));
-  BOOST_TEST((colors[Mesh::Vertex_index(static_cast<unsigned>(highest))] ==
-              CGAL::IO::Color(0, 0, 255)));
+  BOOST_TEST(
+      (colors[Mesh::Vertex_index(static_cast<unsigned>(lowest))] == CGAL::IO::Color(255, 0, 0)));
+  BOOST_TEST(
+      (colors[Mesh::Vertex_index(static_cast<unsigned>(highest))] == CGAL::IO::Color(0, 0, 255)));
 
   const std::string vtp = content(prefix + ".vtp");
   BOOST_TEST(count(vtp, "NumberOfPoints=\"289\" NumberOfPolys=\"576\"") == 1u);
@@ -278,12 +288,12 @@ BOOST_AUTO_TEST_CASE(values_of_the_user_as_text_and_binary)
   folder.write("values.txt", text.str());
   folder.write("values.f64", binary);
 
-  nlohmann::json from_text =
-      report(folder, "'" + file + "' --values '" + folder.file("values.txt") + "' --output '" +
-                         folder.file("a") + "'");
-  nlohmann::json from_binary =
-      report(folder, "'" + file + "' --values '" + folder.file("values.f64") + "' --output '" +
-                         folder.file("b") + "'");
+  nlohmann::json from_text = report(folder,
+                                    "'" + file + "' --values '" + folder.file("values.txt") +
+                                        "' --output '" + folder.file("a") + "'");
+  nlohmann::json from_binary = report(folder,
+                                      "'" + file + "' --values '" + folder.file("values.f64") +
+                                          "' --output '" + folder.file("b") + "'");
   from_text.erase("seconds");
   from_binary.erase("seconds");
   BOOST_TEST((from_text == from_binary));
@@ -291,8 +301,8 @@ BOOST_AUTO_TEST_CASE(values_of_the_user_as_text_and_binary)
   BOOST_TEST(content(folder.file("a.values.txt")) == content(folder.file("b.values.txt")));
   BOOST_TEST(numbers(folder.file("a.values.txt")) == values, boost::test_tools::per_element());
 
-  const nlohmann::json simplified = report(
-      folder, "'" + file + "' --simplify 2 --values '" + folder.file("values.txt") + "'");
+  const nlohmann::json simplified =
+      report(folder, "'" + file + "' --simplify 2 --values '" + folder.file("values.txt") + "'");
   BOOST_TEST(simplified["minima"] == 1);
   BOOST_TEST(simplified["maxima"] == 1);
   BOOST_TEST(simplified["loops"] == from_text["loops"]);
@@ -305,14 +315,13 @@ BOOST_AUTO_TEST_CASE(bad_values_are_one_line_of_error)
   std::string good;
   for (int i = 0; i < 42; ++i)
     good += std::to_string(i) + ' ';
-  const auto check = [&](const std::string& name,
-                         const std::string& text,
-                         const std::vector<std::string>& words) {
-    const std::string file = folder.write(name, text);
-    std::vector<std::string> all = words;
-    all.push_back(file);
-    check_error(folder, mesh + "'" + file + "'", all);
-  };
+  const auto check =
+      [&](const std::string& name, const std::string& text, const std::vector<std::string>& words) {
+        const std::string file = folder.write(name, text);
+        std::vector<std::string> all = words;
+        all.push_back(file);
+        check_error(folder, mesh + "'" + file + "'", all);
+      };
   report(folder, mesh + "'" + folder.write("good.txt", good) + "'");
   check("empty.txt", "", {"0 values", "42 vertices"});
   check("short.txt", "1 2 3\n", {"3 values", "42 vertices"});
@@ -334,13 +343,12 @@ BOOST_AUTO_TEST_CASE(bad_values_are_one_line_of_error)
 BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
 {
   const Folder folder;
-  const auto check = [&](const std::string& name,
-                         const std::string& text,
-                         const std::vector<std::string>& words) {
-    std::vector<std::string> all = words;
-    all.push_back(folder.write(name, text));
-    check_error(folder, "'" + folder.file(name) + "'", all);
-  };
+  const auto check =
+      [&](const std::string& name, const std::string& text, const std::vector<std::string>& words) {
+        std::vector<std::string> all = words;
+        all.push_back(folder.write(name, text));
+        check_error(folder, "'" + folder.file(name) + "'", all);
+      };
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   check("empty.off", "", {"empty"});
   check("type.xyz", "OFF\n", {"unknown type"});
@@ -359,8 +367,9 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
 
   // no errors: an empty mesh, points only, quadrangles
   BOOST_TEST(report(folder, "'" + folder.write("none.off", "OFF\n0 0 0\n") + "'")["nodes"] == 0);
-  BOOST_TEST(report(folder, "'" + folder.write("points.off", "OFF\n4 0 0\n" + points) + "'")
-                 ["components"] == 4);
+  BOOST_TEST(
+      report(folder,
+             "'" + folder.write("points.off", "OFF\n4 0 0\n" + points) + "'")["components"] == 4);
   const nlohmann::json quad = report(
       folder,
       "'" + folder.write("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n") + "'");
@@ -384,13 +393,21 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
   check_error(folder, mesh + "--small-time nan", {"--small-time"});
   check_error(folder, mesh + "--large-time -1", {"--large-time"});
   check_error(folder, mesh + "--report xml", {"xml"});
-  check_error(folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});
+  check_error(
+      folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});
 
   const Run help = run(folder, "--help");
   BOOST_TEST(help.status == 0);
-  for (const std::string option :
-       {"--function", "--axis", "--index", "--values", "--simplify", "--eigenpairs", "--small-time",
-        "--large-time", "--output", "--report"})
+  for (const std::string option : {"--function",
+                                   "--axis",
+                                   "--index",
+                                   "--values",
+                                   "--simplify",
+                                   "--eigenpairs",
+                                   "--small-time",
+                                   "--large-time",
+                                   "--output",
+                                   "--report"})
     BOOST_TEST(count(help.out, option + " ") == 1u);
 }
 

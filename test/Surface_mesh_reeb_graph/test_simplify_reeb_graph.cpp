@@ -20,7 +20,6 @@ using namespace Reeb_graph_test;
 using SMRG::internal::Arc_ends;
 using SMRG::internal::Branch_cancellation;
 
-
 namespace {
 
 using Node_pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -30,7 +29,8 @@ std::multiset<Node_pair>
 cancelled(const std::vector<double>& values, const std::vector<Arc_ends>& arcs, double threshold)
 {
   Branch_cancellation cancellation(values, arcs);
-  cancellation.run([&](const SMRG::internal::Extremum_pair& pair) { return pair.persistence < threshold; });
+  cancellation.run(
+      [&](const SMRG::internal::Extremum_pair& pair) { return pair.persistence < threshold; });
   std::multiset<Node_pair> result;
   for (std::uint32_t a = 0; a < cancellation.arcs().size(); ++a)
     if (cancellation.is_arc(a))
@@ -76,20 +76,23 @@ BOOST_AUTO_TEST_CASE(leaf_branches_vanish)
 BOOST_AUTO_TEST_CASE(what_hangs_on_a_branch_hangs_on_its_neighbor)
 {
   const std::vector<Arc_ends> arcs = {{0, 3}, {1, 2}, {2, 3}, {2, 4}, {3, 5}};
-  BOOST_TEST((cancelled({0, 1, 2, 3, 8, 9}, arcs, 2.5) == std::multiset<Node_pair>{{0, 2}, {2, 4}, {2, 5}}));
+  BOOST_TEST((cancelled({0, 1, 2, 3, 8, 9}, arcs, 2.5) ==
+              std::multiset<Node_pair>{{0, 2}, {2, 4}, {2, 5}}));
 }
 
 // The same with a loop between 2 and 3 on the way.
 BOOST_AUTO_TEST_CASE(loops_on_a_branch_stay)
 {
   const std::vector<Arc_ends> arcs = {{0, 4}, {1, 2}, {2, 3}, {2, 3}, {3, 4}, {4, 5}};
-  BOOST_TEST((cancelled({0, 1, 2, 3, 4, 9}, arcs, 3.5) == std::multiset<Node_pair>{{0, 2}, {2, 3}, {2, 3}, {3, 5}}));
+  BOOST_TEST((cancelled({0, 1, 2, 3, 4, 9}, arcs, 3.5) ==
+              std::multiset<Node_pair>{{0, 2}, {2, 3}, {2, 3}, {3, 5}}));
 }
 
 BOOST_AUTO_TEST_CASE(several_minima_may_die_at_one_node)
 {
   const std::vector<Arc_ends> arcs = {{0, 3}, {1, 3}, {2, 3}, {3, 4}};
-  BOOST_TEST((cancelled({0, 1, 2, 3, 4}, arcs, 1.5) == std::multiset<Node_pair>{{0, 3}, {1, 3}, {3, 4}}));
+  BOOST_TEST(
+      (cancelled({0, 1, 2, 3, 4}, arcs, 1.5) == std::multiset<Node_pair>{{0, 3}, {1, 3}, {3, 4}}));
   BOOST_TEST((cancelled({0, 1, 2, 3, 4}, arcs, 2.5) == std::multiset<Node_pair>{{0, 4}}));
 }
 
@@ -156,8 +159,8 @@ BOOST_AUTO_TEST_CASE(cancels_exactly_the_pairs_below_the_threshold)
         for (const bool minima : {true, false}) {
           // equal values: any order of theirs gives the same pairs of different values, but which one of
           // several equal extrema survives depends on it
-          const Extremum_pairs pairs = brute_force_extremum_pairs(
-              mesh, minima ? rank_of(c) : reversed_rank(rank_of(c)));
+          const Extremum_pairs pairs =
+              brute_force_extremum_pairs(mesh, minima ? rank_of(c) : reversed_rank(rank_of(c)));
           std::vector<std::size_t> expected = pairs.unpaired_extrema;
           for (const Extremum_pair& pair : pairs.pairs) {
             const double from = c.values[Vertex(static_cast<unsigned>(pair.extremum))];
@@ -226,8 +229,7 @@ BOOST_AUTO_TEST_CASE(relative_thresholds_are_fractions_of_the_range_of_each_comp
   c.set(values);
   SMRG::compute_reeb_graph(c.mesh, c.values, graph);
   // the highest finite node is the merge at 3 now, and 0.16 of the range 3 is 0.48
-  SMRG::simplify_reeb_graph(
-      c.mesh, c.values, graph, SMRG::parameters::persistence_threshold(0.16));
+  SMRG::simplify_reeb_graph(c.mesh, c.values, graph, SMRG::parameters::persistence_threshold(0.16));
   BOOST_TEST(extrema(graph, true).size() == minima - 1);
 }
 

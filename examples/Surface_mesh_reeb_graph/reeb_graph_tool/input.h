@@ -97,8 +97,7 @@ inline Mesh read_mesh(const std::string& file)
                      "cannot be read: it is damaged or incomplete, or a coordinate is not a "
                      "finite number");
 
-  if (!CGAL::is_triangle_mesh(mesh) &&
-      !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
+  if (!CGAL::is_triangle_mesh(mesh) && !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
     throw File_error(file, "has a face that cannot be split into triangles");
   return mesh;
 }
@@ -153,8 +152,8 @@ inline void read_values(const std::string& file, const Mesh& mesh, Value_map val
       is_binary ? read_binary_values(file, content) : read_text_values(file, content);
   if (numbers.size() != mesh.number_of_vertices()) {
     std::ostringstream text;
-    text << "holds " << numbers.size() << " values, but the mesh has "
-         << mesh.number_of_vertices() << " vertices";
+    text << "holds " << numbers.size() << " values, but the mesh has " << mesh.number_of_vertices()
+         << " vertices";
     throw File_error(file, text.str());
   }
   std::size_t i = 0;

@@ -58,7 +58,8 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "the eigenfunction of the K-th smallest eigenvalue, from 1 on")(
       "values",
       po::value(&options.values_file)->value_name("FILE"),
-      "a function of your own instead: one number per vertex in the order of the mesh file, as text, "
+      "a function of your own instead: one number per vertex in the order of the mesh file, as "
+      "text, "
       "or as little-endian doubles if the name ends in .f64")(
       "simplify",
       po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
@@ -67,9 +68,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       po::value(&options.eigenpairs)->value_name("N")->default_value(options.eigenpairs),
       "how many eigenfunctions commute_time uses")(
       "small-time",
-      po::value(&options.small_time)
-          ->value_name("T")
-          ->default_value(options.small_time, "1.5"),
+      po::value(&options.small_time)->value_name("T")->default_value(options.small_time, "1.5"),
       "the diffusion time at which commute_time finds the feature points")(
       "large-time",
       po::value(&options.large_time)->value_name("T")->default_value(options.large_time, "20"),
@@ -85,8 +84,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
   po::positional_options_description positions;
   positions.add("mesh", 1);
 
-  const int style =
-      po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
   po::variables_map given;
   po::store(
       po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(),

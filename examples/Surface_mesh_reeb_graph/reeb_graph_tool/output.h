@@ -39,13 +39,16 @@ inline void color_by_value(Mesh& mesh, const Value_map& values)
   auto colors = mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color").first;
   for (vertex_descriptor v : mesh.vertices()) {
     // halves, since the difference of two finite numbers may overflow
-    const double t = lowest < highest ? (values[v] / 2 - lowest / 2) / (highest / 2 - lowest / 2) : 0;
+    const double t =
+        lowest < highest ? (values[v] / 2 - lowest / 2) / (highest / 2 - lowest / 2) : 0;
     colors[v] = rainbow(t);
   }
 }
 
 template <class Write>
-void write_file(const std::string& file, const Write& write, std::ios::openmode mode = std::ios::out)
+void write_file(const std::string& file,
+                const Write& write,
+                std::ios::openmode mode = std::ios::out)
 {
   std::ofstream out(file, mode);
   if (!out)
@@ -63,15 +66,12 @@ inline void write_results(Result& result, const std::string& prefix)
     for (vertex_descriptor v : result.mesh.vertices())
       out << result.values[v] << '\n';
   });
-  write_file(prefix + ".graphml", [&](std::ostream& out) {
-    SMRG::IO::write_graphml(out, result.graph, result.mesh);
-  });
-  write_file(prefix + ".dot", [&](std::ostream& out) {
-    SMRG::IO::write_graphviz(out, result.graph, result.mesh);
-  });
-  write_file(prefix + ".polylines.txt", [&](std::ostream& out) {
-    SMRG::IO::write_polylines(out, result.graph, result.mesh);
-  });
+  write_file(prefix + ".graphml",
+             [&](std::ostream& out) { SMRG::IO::write_graphml(out, result.graph, result.mesh); });
+  write_file(prefix + ".dot",
+             [&](std::ostream& out) { SMRG::IO::write_graphviz(out, result.graph, result.mesh); });
+  write_file(prefix + ".polylines.txt",
+             [&](std::ostream& out) { SMRG::IO::write_polylines(out, result.graph, result.mesh); });
   write_file(prefix + ".vtp", [&](std::ostream& out) {
     SMRG::IO::write_VTP(out, result.mesh, result.values, result.arcs);
   });

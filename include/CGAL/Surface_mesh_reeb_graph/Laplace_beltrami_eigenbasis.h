@@ -42,8 +42,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-using Default_solver_traits = CGAL::Eigen_solver_traits<
-    Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+using Default_solver_traits =
+    CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
 
 } // namespace internal
 
@@ -138,8 +138,7 @@ public:
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Laplace_beltrami_eigenbasis(
-      const TriangleMesh& tmesh,
-      const NamedParameters& np = CGAL::parameters::default_values())
+      const TriangleMesh& tmesh, const NamedParameters& np = CGAL::parameters::default_values())
     : m_tmesh(&tmesh), m_components(tmesh), m_bases(m_components.size())
   {
     using CGAL::parameters::choose_parameter;
@@ -267,7 +266,7 @@ public:
   // their components.
   struct Basis
   {
-    double unit = 1;                // the mean edge length; the rest is measured in it
+    double unit = 1; // the mean edge length; the rest is measured in it
     double area = 0;
     Eigen::VectorXd mass;           // n
     Eigen::VectorXd eigenvalues;    // k, without zero, increasing
@@ -354,9 +353,8 @@ private:
       if (psi[largest] < 0)
         psi = -psi;
       const Eigen::VectorXd m_psi = matrices.mass.cwiseProduct(psi);
-      const double residual =
-          (matrices.stiffness * psi - basis.eigenvalues[i] * m_psi).norm() /
-          (basis.eigenvalues[i] * m_psi.norm());
+      const double residual = (matrices.stiffness * psi - basis.eigenvalues[i] * m_psi).norm() /
+                              (basis.eigenvalues[i] * m_psi.norm());
       if (!(residual <= tolerance)) {
         std::ostringstream message;
         message << "eigenpair " << i + 1 << " has the relative residual " << residual

@@ -146,21 +146,20 @@ template <class OutEdgeList,
           class EdgeProperty,
           class GraphProperty,
           class EdgeList>
-auto adjacent_vertices(
-    typename boost::adjacency_list<OutEdgeList,
-                                   VertexList,
-                                   Directed,
-                                   VertexProperty,
-                                   EdgeProperty,
-                                   GraphProperty,
-                                   EdgeList>::vertex_descriptor v,
-    const boost::adjacency_list<OutEdgeList,
-                                VertexList,
-                                Directed,
-                                VertexProperty,
-                                EdgeProperty,
-                                GraphProperty,
-                                EdgeList>& graph)
+auto adjacent_vertices(typename boost::adjacency_list<OutEdgeList,
+                                                      VertexList,
+                                                      Directed,
+                                                      VertexProperty,
+                                                      EdgeProperty,
+                                                      GraphProperty,
+                                                      EdgeList>::vertex_descriptor v,
+                       const boost::adjacency_list<OutEdgeList,
+                                                   VertexList,
+                                                   Directed,
+                                                   VertexProperty,
+                                                   EdgeProperty,
+                                                   GraphProperty,
+                                                   EdgeList>& graph)
 {
   return boost::adjacent_vertices(v, graph);
 }

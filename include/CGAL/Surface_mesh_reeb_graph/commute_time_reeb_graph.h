@@ -105,10 +105,10 @@ void commute_time_reeb_graph(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
-  using Solver_traits = typename CGAL::internal_np::Lookup_named_param_def<
-      CGAL::internal_np::sparse_linear_solver_t,
-      NamedParameters,
-      internal::Default_solver_traits>::type;
+  using Solver_traits =
+      typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::sparse_linear_solver_t,
+                                                         NamedParameters,
+                                                         internal::Default_solver_traits>::type;
 
   internal::checked_persistence_threshold(np); // before any output is written
 
@@ -130,10 +130,8 @@ void commute_time_reeb_graph(const TriangleMesh& tmesh,
     for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
       put(vertex_value_map, v, get(values, v));
   }
-  if constexpr (!is_default_parameter<NamedParameters,
-                                      CGAL::internal_np::output_iterator_t>::value)
-    std::copy(
-        points.begin(), points.end(), get_parameter(np, CGAL::internal_np::output_iterator));
+  if constexpr (!is_default_parameter<NamedParameters, CGAL::internal_np::output_iterator_t>::value)
+    std::copy(points.begin(), points.end(), get_parameter(np, CGAL::internal_np::output_iterator));
 }
 
 } // namespace Surface_mesh_reeb_graph

@@ -48,8 +48,8 @@ void cancel_zero_persistence_pairs(Arc_list<Vertex>& list,
   // only equality of values matters here: they are numbered in increasing order
   std::vector<double> values(list.nodes.size(), 0.);
   for (std::size_t i = 1; i < values.size(); ++i)
-    values[i] = values[i - 1] +
-                (order.value(list.nodes[i - 1]) < order.value(list.nodes[i]) ? 1. : 0.);
+    values[i] =
+        values[i - 1] + (order.value(list.nodes[i - 1]) < order.value(list.nodes[i]) ? 1. : 0.);
 
   Branch_cancellation cancellation(values, list.arcs);
   cancellation.run([](const Extremum_pair&) { return false; });
@@ -185,7 +185,8 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   internal::write_graph(graph, std::move(nodes), std::move(arcs), list.arcs);
   if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_arc_map_t>::value) {
     auto vertex_arc_map = internal::get_own_parameter(np, internal::tags::vertex_arc_map);
-    internal::write_arc_numbers(sorted_vertices, vertex_index_map, list.arc_of_vertex, vertex_arc_map);
+    internal::write_arc_numbers(
+        sorted_vertices, vertex_index_map, list.arc_of_vertex, vertex_arc_map);
   }
 }
 

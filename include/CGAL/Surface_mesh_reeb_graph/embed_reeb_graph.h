@@ -78,7 +78,8 @@ auto arc_polyline(typename boost::graph_traits<Graph>::edge_descriptor arc,
   const auto vertex_point_map =
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                        CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  using Point_3 = typename boost::property_traits<std::decay_t<decltype(vertex_point_map)>>::value_type;
+  using Point_3 =
+      typename boost::property_traits<std::decay_t<decltype(vertex_point_map)>>::value_type;
   const auto number_of_samples = static_cast<long long>(
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_samples), 10));
   if (number_of_samples < 0)

@@ -65,10 +65,9 @@ std::vector<std::size_t> without_neighbors(const Eigenbasis& basis,
   std::vector<std::size_t> result;
   for (const std::pair<double, std::size_t>& point : points) {
     bool is_taken = is_kept[point.second];
-    for_each_neighbor(
-        component_vertices[point.second], basis.triangle_mesh(), [&](auto neighbor) {
-          is_taken = is_taken || is_kept[basis.position(neighbor)];
-        });
+    for_each_neighbor(component_vertices[point.second], basis.triangle_mesh(), [&](auto neighbor) {
+      is_taken = is_taken || is_kept[basis.position(neighbor)];
+    });
     if (!is_taken) {
       is_kept[point.second] = true;
       result.push_back(point.second);
@@ -151,8 +150,7 @@ OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, So
     const auto& b = basis.basis(c);
     const std::pair<std::size_t, std::size_t> farthest = internal::farthest_pair(
         b.eigenfunctions, internal::relative_diffusion_weights(b.eigenvalues, large_time));
-    const Eigen::VectorXd weights =
-        internal::relative_diffusion_weights(b.eigenvalues, small_time);
+    const Eigen::VectorXd weights = internal::relative_diffusion_weights(b.eigenvalues, small_time);
     std::vector<std::pair<double, std::size_t>> candidates;
     for (std::size_t origin : {farthest.first, farthest.second}) {
       Eigen::VectorXd distances =

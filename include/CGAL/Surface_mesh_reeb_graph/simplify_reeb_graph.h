@@ -147,8 +147,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   cancellation.run([&](const internal::Extremum_pair& pair) {
     return pair.persistence < thresholds[pair.extremum];
   });
-  const internal::Remaining_graph remaining =
-      internal::remaining_graph(cancellation, nodes.size());
+  const internal::Remaining_graph remaining = internal::remaining_graph(cancellation, nodes.size());
 
   std::vector<Node> remaining_nodes;
   remaining_nodes.reserve(remaining.nodes.size());
@@ -193,13 +192,12 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
         const Number arc = get(vertex_arc_map, v);
         if (arc != static_cast<Number>(null_arc))
-          put(vertex_arc_map,
-              v,
-              static_cast<Number>(new_arc(v, static_cast<std::uint32_t>(arc))));
+          put(vertex_arc_map, v, static_cast<Number>(new_arc(v, static_cast<std::uint32_t>(arc))));
       }
     }
   }
-  internal::write_graph(graph, std::move(remaining_nodes), std::move(remaining_arcs), remaining.arcs);
+  internal::write_graph(
+      graph, std::move(remaining_nodes), std::move(remaining_arcs), remaining.arcs);
 }
 
 } // namespace Surface_mesh_reeb_graph

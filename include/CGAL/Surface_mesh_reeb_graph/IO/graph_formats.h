@@ -45,8 +45,7 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
 
   boost::dynamic_properties properties;
   const auto add_node_property = [&](const std::string& name, auto function) {
-    properties.property(name,
-                        boost::make_function_property_map<Node>([&graph, function](Node n) {
+    properties.property(name, boost::make_function_property_map<Node>([&graph, function](Node n) {
                           return function(get(boost::vertex_bundle, graph)[n]);
                         }));
   };
@@ -75,9 +74,8 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
     return CGAL::to_double(get(vertex_point_map, node.vertex).z());
   });
   add_arc_property("id", [](const auto& arc) { return static_cast<unsigned long>(arc.id); });
-  add_arc_property("number_of_vertices", [](const auto& arc) {
-    return static_cast<unsigned long>(arc.vertices.size());
-  });
+  add_arc_property("number_of_vertices",
+                   [](const auto& arc) { return static_cast<unsigned long>(arc.vertices.size()); });
   return properties;
 }
 
@@ -117,11 +115,8 @@ bool write_graphml(std::ostream& out,
                    const TriangleMesh& tmesh,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-  boost::write_graphml(out,
-                       graph,
-                       internal::node_id_map(graph),
-                       internal::graph_properties(graph, tmesh, np),
-                       true);
+  boost::write_graphml(
+      out, graph, internal::node_id_map(graph), internal::graph_properties(graph, tmesh, np), true);
   return out.good();
 }
 

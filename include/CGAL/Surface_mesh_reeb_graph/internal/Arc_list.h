@@ -30,7 +30,7 @@ struct Arc_ends
 template <class Vertex>
 struct Arc_list
 {
-  std::vector<Vertex> nodes; // the critical vertices in increasing order
+  std::vector<Vertex> nodes;  // the critical vertices in increasing order
   std::vector<Arc_ends> arcs; // by lower node, then by the lowest vertex above it that they lead to
   std::vector<std::uint32_t> arc_of_vertex; // by vertex index; no_arc if the vertex has no edge
 };

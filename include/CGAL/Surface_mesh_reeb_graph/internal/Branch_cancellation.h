@@ -66,10 +66,7 @@ public:
   }
 
   // A node is left if it has arcs that do not just pass through.
-  bool is_node(std::uint32_t node) const
-  {
-    return !m_is_removed[node];
-  }
+  bool is_node(std::uint32_t node) const { return !m_is_removed[node]; }
 
   bool is_arc(std::uint32_t arc) const { return m_fates[arc].kind == STAYS; }
 
@@ -154,8 +151,8 @@ private:
         return;
 
     for (;;) {
-      Path& path = *std::max_element(
-          m_paths.begin(), m_paths.end(), [&pair](const Path& p, const Path& q) {
+      Path& path =
+          *std::max_element(m_paths.begin(), m_paths.end(), [&pair](const Path& p, const Path& q) {
             return lies_towards(pair.side, p.tip, q.tip);
           });
       if (number_of_arcs(pair.side, path.tip) == 0)
@@ -173,13 +170,13 @@ private:
     const auto other = std::find_if_not(m_paths.begin(), m_paths.end(), is_to_extremum);
     CGAL_assertion(path != m_paths.end() && other != m_paths.end());
 
-    std::uint32_t other_arc = other->first_arc; // the arc that the next node of the path is zipped to
+    std::uint32_t other_arc =
+        other->first_arc; // the arc that the next node of the path is zipped to
     std::uint32_t previous = pair.saddle;
     for (const std::uint32_t arc : path->arcs) {
       const std::uint32_t node = end_on(side, m_arcs[arc]);
       remove_arc(arc);
-      const bool vanishes =
-          number_of_arcs(ABOVE, node) == 0 && number_of_arcs(BELOW, node) == 0;
+      const bool vanishes = number_of_arcs(ABOVE, node) == 0 && number_of_arcs(BELOW, node) == 0;
       if (vanishes) {
         m_is_removed[node] = true;
         go_into(arc, other_arc);

@@ -44,11 +44,12 @@ namespace internal {
 // Nothing is imposed on borders: this is the Neumann condition.
 struct Laplace_beltrami_matrices
 {
-  double unit = 0;                      // the mean edge length
-  Eigen::SparseMatrix<double> stiffness; // n x n, symmetric, positive semi-definite: half the sum of
-                                         // the cotangents opposite to an edge, with negative sign
-  Eigen::VectorXd mass;                  // n mixed Voronoi areas, in squared units
-  double area = 0;                       // their sum, in squared units
+  double unit = 0; // the mean edge length
+  Eigen::SparseMatrix<double>
+      stiffness;        // n x n, symmetric, positive semi-definite: half the sum of
+                        // the cotangents opposite to an edge, with negative sign
+  Eigen::VectorXd mass; // n mixed Voronoi areas, in squared units
+  double area = 0;      // their sum, in squared units
 };
 
 // A component without extent (all edges of length 0, or no faces) gives matrices with `area == 0`.

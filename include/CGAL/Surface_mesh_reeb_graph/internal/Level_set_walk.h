@@ -28,7 +28,8 @@ class Level_set_walk
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
 
 public:
-  Level_set_walk(halfedge_descriptor h, bool is_forward) : m_halfedge(h), m_is_forward(is_forward) {}
+  Level_set_walk(halfedge_descriptor h, bool is_forward) : m_halfedge(h), m_is_forward(is_forward)
+  {}
 
   halfedge_descriptor halfedge() const { return m_halfedge; }
   bool is_forward() const { return m_is_forward; }
@@ -51,8 +52,7 @@ public:
   {
     const halfedge_descriptor n = next(m_halfedge, tmesh);
     const bool stays_at_lower_vertex = is_above(target(n, tmesh));
-    m_halfedge =
-        opposite(stays_at_lower_vertex == m_is_forward ? next(n, tmesh) : n, tmesh);
+    m_halfedge = opposite(stays_at_lower_vertex == m_is_forward ? next(n, tmesh) : n, tmesh);
   }
 
 private:

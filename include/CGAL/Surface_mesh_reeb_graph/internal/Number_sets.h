@@ -25,7 +25,10 @@ namespace internal {
 class Number_sets
 {
 public:
-  explicit Number_sets(std::size_t n = 0) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), 0); }
+  explicit Number_sets(std::size_t n = 0) : m_parent(n)
+  {
+    std::iota(m_parent.begin(), m_parent.end(), 0);
+  }
 
   // Adds the next number, a set of its own.
   void add() { m_parent.push_back(static_cast<std::uint32_t>(m_parent.size())); }

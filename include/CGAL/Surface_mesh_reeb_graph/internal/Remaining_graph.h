@@ -24,14 +24,14 @@ namespace internal {
 // What a cancellation leaves of a Reeb graph, in terms of the graph before.
 struct Remaining_graph
 {
-  std::vector<std::uint32_t> nodes; // numbers of the nodes that are left, increasing
-  std::vector<Arc_ends> arcs;       // between positions in `nodes`
+  std::vector<std::uint32_t> nodes;             // numbers of the nodes that are left, increasing
+  std::vector<Arc_ends> arcs;                   // between positions in `nodes`
   std::vector<std::uint32_t> first_arc_of_node; // begins there, or else ends there; by position
   std::vector<std::uint32_t> position_of_arc;   // by the arcs of the cancellation
 };
 
-inline Remaining_graph remaining_graph(const Branch_cancellation& cancellation,
-                                       std::size_t number_of_nodes)
+inline Remaining_graph
+remaining_graph(const Branch_cancellation& cancellation, std::size_t number_of_nodes)
 {
   Remaining_graph result;
   std::vector<std::uint32_t> position_of_node(number_of_nodes, no_node);

@@ -103,8 +103,8 @@ private:
     constexpr double tolerance = 1e-12;
     solver.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance);
     if (solver.info() != Spectra::CompInfo::Successful)
-      throw Reeb_graph_error("the eigensolver did not converge in " +
-                             std::to_string(max_restarts) + " restarts");
+      throw Reeb_graph_error("the eigensolver did not converge in " + std::to_string(max_restarts) +
+                             " restarts");
     return untransformed(solver.eigenvalues(), solver.eigenvectors());
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Upper_level_set.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
 
@@ -66,8 +67,12 @@ public:
 
   Arc_list<vertex_descriptor> run()
   {
-    for (vertex_descriptor v : m_order)
-      process(v);
+    for (std::size_t begin = 0; begin < m_order.size(); begin += m_stars.capacity) {
+      const std::size_t size = (std::min)(m_stars.capacity, m_order.size() - begin);
+      m_stars.read(m_order.data() + begin, size, m_tmesh);
+      for (std::size_t i = 0; i < size; ++i)
+        process(m_order[begin + i], m_stars.star(i));
+    }
     if (m_number_of_star_edges != number_of_halfedges())
       throw_non_manifold();
     return std::move(m_result);
@@ -102,7 +107,8 @@ private:
   // structure cannot show them all.
   [[noreturn]] static void throw_non_manifold()
   {
-    throw Reeb_graph_error("the mesh is not a 2-manifold: the faces around a vertex form several fans");
+    throw Reeb_graph_error(
+        "the mesh is not a 2-manifold: the faces around a vertex form several fans");
   }
 
   std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
@@ -128,18 +134,18 @@ private:
     return arc;
   }
 
-  // Reads the star of v: its halfedges in cyclic order, the arcs of the components just below, and the
-  // wedges of upper edges. Two consecutive upper edges lie in one wedge if a triangle joins them.
-  void read_star(vertex_descriptor v)
+  // Reads the star of v: the arcs of the components just below, and the wedges of upper edges. Two
+  // consecutive upper edges lie in one wedge if a triangle joins them.
+  void read_star(vertex_descriptor v, const std::vector<halfedge_descriptor>& star)
   {
     m_star.clear();
     m_arcs_below.clear();
     m_upper_level_set.clear();
-    if (is_isolated(v, m_tmesh))
+    if (star.empty())
       return;
 
     const std::uint32_t v_rank = rank(v);
-    for (halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tmesh))
+    for (halfedge_descriptor h : star)
       m_star.push_back({h, v_rank < rank(source(h, m_tmesh))});
     m_number_of_star_edges += m_star.size();
 
@@ -156,8 +162,8 @@ private:
 
     for (std::size_t k = 0; k < m_wedge_begins.size(); ++k) {
       const std::size_t begin = m_wedge_begins[k];
-      const std::size_t end = k + 1 < m_wedge_begins.size() ? m_wedge_begins[k + 1]
-                                                            : m_wedge_begins[0] + m_star.size();
+      const std::size_t end =
+          k + 1 < m_wedge_begins.size() ? m_wedge_begins[k + 1] : m_wedge_begins[0] + m_star.size();
       if (m_star[begin].is_upper)
         add_upper_wedge(begin, end);
       else
@@ -183,9 +189,9 @@ private:
         m_star[begin].halfedge, m_star[(end - 1) % m_star.size()].halfedge, lowest);
   }
 
-  void process(vertex_descriptor v)
+  void process(vertex_descriptor v, const std::vector<halfedge_descriptor>& star)
   {
-    read_star(v);
+    read_star(v, star);
 
     const std::uint32_t v_rank = rank(v);
     auto is_above = [&](vertex_descriptor u) { return v_rank < rank(u); };
@@ -261,10 +267,11 @@ private:
   EdgeIndexMap m_edge_index_map;
   std::vector<std::uint32_t> m_rank;  // by vertex index
   std::vector<std::uint32_t> m_label; // by edge index, valid for crossed edges
-  Number_sets m_arc_sets;             // arcs that have ended, with the arc that has their labels now
+  Number_sets m_arc_sets; // arcs that have ended, with the arc that has their labels now
   Arc_list<vertex_descriptor> m_result;
   std::size_t m_number_of_star_edges = 0;
 
+  Star_block<TriangleMesh> m_stars;
   // The star of the current vertex; members, so that no vertex allocates.
   std::vector<Star_edge> m_star;
   std::vector<std::size_t> m_wedge_begins;

@@ -106,9 +106,10 @@ private:
   {
     halfedge_descriptor first, last;
     std::uint32_t lowest;
-    std::uint32_t parent;        // union-find over the wedges
-    std::uint32_t open_ends = 2; // of the component, at its root: ends whose other side is not known
-    std::size_t component = 0;   // at the root
+    std::uint32_t parent; // union-find over the wedges
+    std::uint32_t open_ends =
+        2;                     // of the component, at its root: ends whose other side is not known
+    std::size_t component = 0; // at the root
     bool first_is_known = false, last_is_known = false, last_leads_to_border = false;
   };
 

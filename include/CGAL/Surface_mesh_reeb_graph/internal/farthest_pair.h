@@ -31,8 +31,8 @@ namespace internal {
 // shapes so symmetric that all points are candidates (a sphere) the comparison stops after a number of
 // pairs in proportion to the number of points: the result is then a pair no end of which can be moved to
 // make it longer.
-inline std::pair<std::size_t, std::size_t> farthest_pair(const Eigen::MatrixXd& eigenfunctions,
-                                                         const Eigen::VectorXd& weights)
+inline std::pair<std::size_t, std::size_t>
+farthest_pair(const Eigen::MatrixXd& eigenfunctions, const Eigen::VectorXd& weights)
 {
   // weights that are lost in the rounding of the first one
   constexpr double negligible = 1e-18;
@@ -44,7 +44,8 @@ inline std::pair<std::size_t, std::size_t> farthest_pair(const Eigen::MatrixXd& 
 
   auto farthest_from = [&](Eigen::Index i) {
     Eigen::Index j;
-    const double squared_distance = (points.colwise() - points.col(i)).colwise().squaredNorm().maxCoeff(&j);
+    const double squared_distance =
+        (points.colwise() - points.col(i)).colwise().squaredNorm().maxCoeff(&j);
     return std::make_pair(squared_distance, j);
   };
   Eigen::Index p = 0, q = 0;

@@ -16,7 +16,9 @@ CGAL_add_named_parameter(number_of_eigenpairs_t, number_of_eigenpairs, number_of
 CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
 CGAL_add_named_parameter(small_time_t, small_time, small_time)
 CGAL_add_named_parameter(large_time_t, large_time, large_time)
-CGAL_add_named_parameter(minima_as_feature_points_t, minima_as_feature_points, minima_as_feature_points)
+CGAL_add_named_parameter(minima_as_feature_points_t,
+                         minima_as_feature_points,
+                         minima_as_feature_points)
 CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
 CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
 CGAL_add_named_parameter(vertex_value_map_t, vertex_value_map, vertex_value_map)

@@ -57,12 +57,10 @@ inline Eigen::VectorXd largest_squared_distances(const Eigen::MatrixXd& eigenfun
     for (std::size_t source : sources) {
       sum.head(size).setZero();
       for (Eigen::Index i = 0; i < weights.size(); ++i)
-        sum.head(size) +=
-            weights[i] * (eigenfunctions.col(i).segment(begin, size).array() -
-                          eigenfunctions(static_cast<Eigen::Index>(source), i))
-                             .square();
-      result.segment(begin, size) =
-          result.segment(begin, size).cwiseMax(sum.head(size).matrix());
+        sum.head(size) += weights[i] * (eigenfunctions.col(i).segment(begin, size).array() -
+                                        eigenfunctions(static_cast<Eigen::Index>(source), i))
+                                           .square();
+      result.segment(begin, size) = result.segment(begin, size).cwiseMax(sum.head(size).matrix());
     }
   }
   return result;
