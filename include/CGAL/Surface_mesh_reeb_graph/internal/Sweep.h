@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Upper_level_set.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -46,6 +45,8 @@ class Sweep
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
+  using Star = Vertex_star<TriangleMesh>;
+
 public:
   // `order` holds all vertices in increasing order.
   Sweep(const TriangleMesh& tmesh,
@@ -58,7 +59,7 @@ public:
     , m_edge_index_map(edge_index_map)
     , m_rank(index_bound(tmesh, vertex_index_map))
     , m_label(edge_index_bound(), no_arc)
-    , m_upper_level_set(tmesh, has_border())
+    , m_stars(tmesh, has_border())
   {
     for (std::size_t i = 0; i < order.size(); ++i)
       m_rank[get(vertex_index_map, order[i])] = static_cast<std::uint32_t>(i);
@@ -69,13 +70,29 @@ public:
   {
     for (std::size_t begin = 0; begin < m_order.size(); begin += m_stars.capacity) {
       const std::size_t size = (std::min)(m_stars.capacity, m_order.size() - begin);
-      m_stars.read(m_order.data() + begin, size, m_tmesh);
-      for (std::size_t i = 0; i < size; ++i)
-        process(m_order[begin + i], m_stars.star(i));
+      m_stars.read(m_order.data() + begin, size);
+      m_stars.find_upper_components(*this);
+      for (std::size_t i = 0; i < size; ++i) {
+        m_number_of_star_edges += m_stars[i].halfedges.size();
+        process(m_stars[i]);
+      }
     }
     if (m_number_of_star_edges != number_of_halfedges())
       throw_non_manifold();
     return std::move(m_result);
+  }
+
+  // What the block of stars asks: the position of a vertex in the order, ...
+  std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
+
+  // ... and the wedge of an upper edge of a vertex of the block. The edge belongs to no arc yet: until
+  // the vertex is processed, its label is the number of its wedge.
+  void set_wedge(halfedge_descriptor h, std::uint32_t wedge) { label(h) = wedge; }
+  std::uint32_t wedge(halfedge_descriptor h)
+  {
+    if (label(h) == no_arc)
+      throw_non_manifold();
+    return label(h);
   }
 
 private:
@@ -111,7 +128,10 @@ private:
         "the mesh is not a 2-manifold: the faces around a vertex form several fans");
   }
 
-  std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
+  auto is_above(vertex_descriptor v) const
+  {
+    return [this, level = rank(v)](vertex_descriptor u) { return level < rank(u); };
+  }
 
   std::uint32_t& label(halfedge_descriptor h)
   {
@@ -134,132 +154,56 @@ private:
     return arc;
   }
 
-  // Reads the star of v: the arcs of the components just below, and the wedges of upper edges. Two
-  // consecutive upper edges lie in one wedge if a triangle joins them.
-  void read_star(vertex_descriptor v, const std::vector<halfedge_descriptor>& star)
+  void process(Star& star)
   {
-    m_star.clear();
     m_arcs_below.clear();
-    m_upper_level_set.clear();
-    if (star.empty())
-      return;
-
-    const std::uint32_t v_rank = rank(v);
-    for (halfedge_descriptor h : star)
-      m_star.push_back({h, v_rank < rank(source(h, m_tmesh))});
-    m_number_of_star_edges += m_star.size();
-
-    for (std::size_t i = 0; i < m_star.size(); ++i) {
-      const Star_edge& previous = m_star[i == 0 ? m_star.size() - 1 : i - 1];
-      const bool begins_wedge =
-          previous.is_upper != m_star[i].is_upper || is_border(previous.halfedge, m_tmesh);
-      if (begins_wedge)
-        m_wedge_begins.push_back(i);
-    }
-    // a closed fan of edges that all point to the same side is one wedge
-    if (m_wedge_begins.empty())
-      m_wedge_begins.push_back(0);
-
-    for (std::size_t k = 0; k < m_wedge_begins.size(); ++k) {
-      const std::size_t begin = m_wedge_begins[k];
-      const std::size_t end =
-          k + 1 < m_wedge_begins.size() ? m_wedge_begins[k + 1] : m_wedge_begins[0] + m_star.size();
-      if (m_star[begin].is_upper)
-        add_upper_wedge(begin, end);
-      else
-        m_arcs_below.push_back(current_arc(m_star[begin].halfedge));
-    }
-    m_wedge_begins.clear();
-
+    for (halfedge_descriptor h : star.lower_wedges)
+      m_arcs_below.push_back(current_arc(h));
     std::sort(m_arcs_below.begin(), m_arcs_below.end());
     m_arcs_below.erase(std::unique(m_arcs_below.begin(), m_arcs_below.end()), m_arcs_below.end());
-  }
 
-  void add_upper_wedge(std::size_t begin, std::size_t end)
-  {
-    std::uint32_t lowest = no_node;
-    const std::uint32_t wedge = m_upper_level_set.number_of_wedges();
-    for (std::size_t i = begin; i < end; ++i) {
-      const halfedge_descriptor h = m_star[i % m_star.size()].halfedge;
-      lowest = (std::min)(lowest, rank(source(h, m_tmesh)));
-      // the edge has no arc yet: until it gets one, its label tells its wedge to the walks
-      label(h) = wedge;
-    }
-    m_upper_level_set.add_wedge(
-        m_star[begin].halfedge, m_star[(end - 1) % m_star.size()].halfedge, lowest);
-  }
-
-  void process(vertex_descriptor v, const std::vector<halfedge_descriptor>& star)
-  {
-    read_star(v, star);
-
-    const std::uint32_t v_rank = rank(v);
-    auto is_above = [&](vertex_descriptor u) { return v_rank < rank(u); };
-    auto wedge_of = [&](halfedge_descriptor h) {
-      if (label(h) == no_arc)
-        throw_non_manifold();
-      return label(h);
-    };
-    m_upper_level_set.find_components(v, is_above, wedge_of);
-
-    const std::size_t up = m_upper_level_set.number_of_components();
-    if (m_arcs_below.size() == 1 && up == 1)
-      continue_arc(v);
+    if (m_arcs_below.size() == 1 && star.above.number_of_components() == 1)
+      continue_arc(star);
     else
-      make_node(v, is_above);
+      make_node(star);
   }
 
-  void continue_arc(vertex_descriptor v)
+  void continue_arc(const Star& star)
   {
     const std::uint32_t arc = m_arcs_below.front();
-    m_result.arc_of_vertex[get(m_vertex_index_map, v)] = arc;
-    for (const Star_edge& e : m_star)
-      if (e.is_upper)
-        label(e.halfedge) = arc;
+    m_result.arc_of_vertex[get(m_vertex_index_map, star.vertex)] = arc;
+    for (halfedge_descriptor h : star.upper_edges)
+      label(h) = arc;
   }
 
-  template <class IsAbove>
-  void make_node(vertex_descriptor v, const IsAbove& is_above)
+  void make_node(Star& star)
   {
     const std::uint32_t node = static_cast<std::uint32_t>(m_result.nodes.size());
-    m_result.nodes.push_back(v);
+    m_result.nodes.push_back(star.vertex);
     for (std::uint32_t arc : m_arcs_below)
       m_result.arcs[arc].upper = node;
 
-    // the wedges of the star's edges are read off before the walks write over them
-    m_wedge_of_star_edge.clear();
-    for (const Star_edge& e : m_star)
-      m_wedge_of_star_edge.push_back(e.is_upper ? label(e.halfedge) : 0);
-
     std::uint32_t first_arc = m_arcs_below.empty() ? no_arc : m_arcs_below.front();
-    const std::size_t up = m_upper_level_set.number_of_components();
-    m_arcs_above.resize(up);
-    for (std::size_t i = 0; i < up; ++i) {
+    m_arcs_above.clear();
+    for (std::size_t i = 0; i < star.above.number_of_components(); ++i) {
       const std::uint32_t arc = begin_arc(node);
-      m_arcs_above[i] = arc;
+      m_arcs_above.push_back(arc);
       if (i == 0)
         first_arc = arc;
-      if (m_upper_level_set.is_longest(i)) {
+      if (star.above.is_longest(i)) {
         for (std::uint32_t below : m_arcs_below)
           m_arc_sets.join(below, arc);
       } else {
-        m_upper_level_set.for_each_edge(
-            i, v, is_above, [&](halfedge_descriptor h) { label(h) = arc; });
+        star.above.for_each_edge(
+            i, star.vertex, is_above(star.vertex), [&](halfedge_descriptor h) { label(h) = arc; });
       }
     }
-    for (std::size_t i = 0; i < m_star.size(); ++i)
-      if (m_star[i].is_upper)
-        label(m_star[i].halfedge) =
-            m_arcs_above[m_upper_level_set.component_of_wedge(m_wedge_of_star_edge[i])];
+    // the labels of the upper edges are still the numbers of their wedges
+    for (halfedge_descriptor h : star.upper_edges)
+      label(h) = m_arcs_above[star.above.component_of_wedge(label(h))];
 
-    m_result.arc_of_vertex[get(m_vertex_index_map, v)] = first_arc;
+    m_result.arc_of_vertex[get(m_vertex_index_map, star.vertex)] = first_arc;
   }
-
-  struct Star_edge
-  {
-    halfedge_descriptor halfedge;
-    bool is_upper;
-  };
 
   const TriangleMesh& m_tmesh;
   const std::vector<vertex_descriptor>& m_order;
@@ -272,13 +216,9 @@ private:
   std::size_t m_number_of_star_edges = 0;
 
   Star_block<TriangleMesh> m_stars;
-  // The star of the current vertex; members, so that no vertex allocates.
-  std::vector<Star_edge> m_star;
-  std::vector<std::size_t> m_wedge_begins;
-  std::vector<std::uint32_t> m_wedge_of_star_edge;
+  // Members, so that no vertex allocates.
   std::vector<std::uint32_t> m_arcs_below;
   std::vector<std::uint32_t> m_arcs_above;
-  Upper_level_set<TriangleMesh> m_upper_level_set;
 };
 
 } // namespace internal

@@ -63,20 +63,55 @@ public:
 
   std::uint32_t number_of_wedges() const { return static_cast<std::uint32_t>(m_wedges.size()); }
 
-  // Joins the wedges to components. `is_above(u)` tells whether a vertex lies above the level,
-  // `wedge_of(h)` gives the wedge of an upper edge of the vertex.
-  template <class IsAbove, class WedgeOf>
-  void find_components(vertex_descriptor v, const IsAbove& is_above, const WedgeOf& wedge_of)
+  // Begins to join the wedges to components.
+  void begin_walks()
   {
     m_number_of_unfinished = number_of_wedges();
-    if (m_number_of_unfinished > 1)
-      walk_in_turn(v, is_above, wedge_of);
-    collect_components();
+    m_turns.clear();
+    if (m_number_of_unfinished < 2)
+      return;
+    for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
+      m_turns.push_back({forward_walk(i), i});
+      if (m_has_border)
+        m_turns.push_back({backward_walk(i), i});
+    }
+  }
+
+  bool is_walking() const { return m_number_of_unfinished > 1; }
+
+  // Lets every walk take a step. `is_above(u)` tells whether a vertex lies above the level,
+  // `wedge_of(h)` gives the wedge of an upper edge of the vertex.
+  template <class IsAbove, class WedgeOf>
+  void advance_walks(vertex_descriptor v, const IsAbove& is_above, const WedgeOf& wedge_of)
+  {
+    for (std::size_t i = 0; i < m_turns.size() && is_walking();) {
+      if (take_turn(m_turns[i], v, is_above, wedge_of)) {
+        ++i;
+      } else {
+        m_turns[i] = m_turns.back();
+        m_turns.pop_back();
+      }
+    }
+  }
+
+  // Numbers the components, by their lowest upper vertices.
+  void end_walks()
+  {
+    for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
+      const std::uint32_t r = root(i);
+      if (r == i)
+        m_components.push_back(i);
+      m_wedges[r].lowest = (std::min)(m_wedges[r].lowest, m_wedges[i].lowest);
+    }
+    std::sort(m_components.begin(), m_components.end(), [this](std::uint32_t i, std::uint32_t j) {
+      return m_wedges[i].lowest < m_wedges[j].lowest;
+    });
+    for (std::size_t k = 0; k < m_components.size(); ++k)
+      m_wedges[m_components[k]].component = k;
   }
 
   std::size_t number_of_components() const { return m_components.size(); }
 
-  // Components are numbered by their lowest upper vertex.
   std::size_t component_of_wedge(std::uint32_t wedge) { return m_wedges[root(wedge)].component; }
 
   bool is_longest(std::size_t component) const
@@ -107,8 +142,8 @@ private:
     halfedge_descriptor first, last;
     std::uint32_t lowest;
     std::uint32_t parent; // union-find over the wedges
-    std::uint32_t open_ends =
-        2;                     // of the component, at its root: ends whose other side is not known
+    // of the component, at its root: the ends whose other side is not known
+    std::uint32_t open_ends = 2;
     std::size_t component = 0; // at the root
     bool first_is_known = false, last_is_known = false, last_leads_to_border = false;
   };
@@ -131,27 +166,6 @@ private:
     while (m_wedges[i].parent != i)
       i = m_wedges[i].parent = m_wedges[m_wedges[i].parent].parent;
     return i;
-  }
-
-  template <class IsAbove, class WedgeOf>
-  void walk_in_turn(vertex_descriptor v, const IsAbove& is_above, const WedgeOf& wedge_of)
-  {
-    m_turns.clear();
-    for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
-      m_turns.push_back({forward_walk(i), i});
-      if (m_has_border)
-        m_turns.push_back({backward_walk(i), i});
-    }
-    while (m_number_of_unfinished > 1) {
-      for (std::size_t i = 0; i < m_turns.size() && m_number_of_unfinished > 1;) {
-        if (take_turn(m_turns[i], v, is_above, wedge_of)) {
-          ++i;
-        } else {
-          m_turns[i] = m_turns.back();
-          m_turns.pop_back();
-        }
-      }
-    }
   }
 
   // Returns false when the walk is over.
@@ -201,21 +215,6 @@ private:
     wedge.open_ends -= number;
     if (wedge.open_ends == 0)
       --m_number_of_unfinished;
-  }
-
-  void collect_components()
-  {
-    for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
-      const std::uint32_t r = root(i);
-      if (r == i)
-        m_components.push_back(i);
-      m_wedges[r].lowest = (std::min)(m_wedges[r].lowest, m_wedges[i].lowest);
-    }
-    std::sort(m_components.begin(), m_components.end(), [this](std::uint32_t i, std::uint32_t j) {
-      return m_wedges[i].lowest < m_wedges[j].lowest;
-    });
-    for (std::size_t k = 0; k < m_components.size(); ++k)
-      m_wedges[m_components[k]].component = k;
   }
 
   template <class IsAbove, class Function>
