@@ -57,11 +57,11 @@ The eigenpairs are computed once, by the constructor; distances are cheap afterw
 
 **Operator.** *L* is the cotangent stiffness matrix (symmetric, positive semi-definite, `(cot a + cot b) / 2`
 for an edge with opposite angles *a* and *b*) and *M* the diagonal matrix of mixed Voronoi areas
-(Meyer et al. 2003), which sum to the surface area. The eigenpairs solve *L psi = lambda M psi*, the
+(\cgalCite{meyer_2003}), which sum to the surface area. The eigenpairs solve *L psi = lambda M psi*, the
 eigenfunctions are *M*-orthonormal: they have the unit of an inverse length, eigenvalues that of
 an inverse area. Nothing is imposed on borders (Neumann condition). Both matrices are made from edge lengths
 that are increased by the least amount, usually none, that gives every triangle a margin in its triangle
-inequalities (Sharp and Crane 2020), so that degenerate faces do no harm.
+inequalities \cgalCite{sharp_2020}, so that degenerate faces do no harm.
 
 **Components.** Every connected component of the mesh has a basis of its own. The constant eigenfunction of
 eigenvalue zero is left out: it drops out of every difference. A component with too few vertices has
@@ -239,7 +239,7 @@ public:
   /*!
   returns the diffusion distance of `u` and `v` at time `t`: the square root of
   `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
-  (El Khoury et al. 2012, Eq. 8). It has no unit, and takes O(number of eigenpairs).
+  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs).
   */
   FT diffusion_distance(vertex_descriptor u, vertex_descriptor v, FT t) const
   {
@@ -251,7 +251,7 @@ public:
   /*!
   returns the commute-time distance of `u` and `v`: the square root of
   `A sum_i lambda_1 / lambda_i (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
-  (El Khoury et al. 2012, Eq. 9). It has no unit, and takes O(number of eigenpairs).
+  (\cgalCite{el_khoury_2012}, Eq. 9). It has no unit, and takes O(number of eigenpairs).
   */
   FT commute_time_distance(vertex_descriptor u, vertex_descriptor v) const
   {

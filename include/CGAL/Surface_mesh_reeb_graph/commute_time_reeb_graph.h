@@ -33,7 +33,7 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-computes the Reeb graph of the commute-time mapping function: the method of El Khoury et al. 2012 in one call.
+computes the Reeb graph of the commute-time mapping function: the method of \cgalCite{el_khoury_2012} in one call.
 
 It computes the eigenbasis, the feature points, the mapping function, its Reeb graph, and simplifies it. For a shape with
 limbs the graph has a minimum in the center and a maximum at the tip of every limb, in any pose.

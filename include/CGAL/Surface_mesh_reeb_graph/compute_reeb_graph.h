@@ -84,7 +84,7 @@ computes the Reeb graph of a scalar function on a triangle mesh.
 Two points of the surface belong together if they have the same value and lie in the same connected
 component of their level set; the Reeb graph is what remains of the surface then. Its nodes are the
 vertices of the mesh at which components of level sets appear, vanish, split or merge; its arcs are the
-families of components in between (El Khoury et al. 2012, Sections 3.3 and 5). The function is extended
+families of components in between (\cgalCite{el_khoury_2012}, Sections 3.3 and 5). The function is extended
 linearly over the triangles; the vertices are compared by `Vertex_order`, exactly.
 
 The mesh may have borders (the components of level sets are then open curves), several connected

@@ -81,7 +81,7 @@ std::vector<std::size_t> without_neighbors(const Eigenbasis& basis,
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-finds the feature points of a mesh: the tips of its limbs (El Khoury et al. 2012, Section 4.1).
+finds the feature points of a mesh: the tips of its limbs (\cgalCite{el_khoury_2012}, Section 4.1).
 
 In every connected component,
 1. `V1` and `V2` are the two vertices with the largest diffusion distance (Eq. 8) at the large time;

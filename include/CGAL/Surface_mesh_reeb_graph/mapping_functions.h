@@ -126,7 +126,7 @@ void eigenfunction(const Laplace_beltrami_eigenbasis<TriangleMesh, SolverTraits>
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
 
-computes the commute-time mapping function (El Khoury et al. 2012, Eq. 12): the largest commute-time distance of a
+computes the commute-time mapping function (\cgalCite{el_khoury_2012}, Eq. 12): the largest commute-time distance of a
 vertex to the feature points of its component,
 `F(v) = max_i d_C(v, V_i)`. It is smallest in the center of the shape and largest on the tips of its limbs, and does
 not depend on pose and size.

@@ -33,7 +33,7 @@ namespace Surface_mesh_reeb_graph {
 \ingroup PkgSurfaceMeshReebGraphClasses
 
 The strict total order of the vertices that turns any scalar function into a Morse function
-(El Khoury et al. 2012, Section 4.3 and Eq. 13). Vertices are compared
+(\cgalCite{el_khoury_2012}, Section 4.3 and Eq. 13). Vertices are compared
 
 1. by their value, exactly: never with a tolerance;
 2. inside a plateau (vertices of equal value that are connected by edges) by the number of edges, along

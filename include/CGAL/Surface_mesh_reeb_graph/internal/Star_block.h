@@ -100,7 +100,12 @@ public:
       star.above.advance_walks(
           star.vertex,
           [&](vertex_descriptor u) { return level < context.rank(u); },
-          [&](halfedge_descriptor h) { return context.wedge(h); });
+          [&](halfedge_descriptor h) {
+            const std::uint32_t wedge = context.wedge(h);
+            if (wedge >= star.above.number_of_wedges())
+              context.throw_non_manifold();
+            return wedge;
+          });
       return star.above.is_walking();
     });
     for (std::size_t i = 0; i < m_size; ++i)

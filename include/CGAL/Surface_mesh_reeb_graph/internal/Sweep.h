@@ -88,11 +88,14 @@ public:
   // ... and the wedge of an upper edge of a vertex of the block. The edge belongs to no arc yet: until
   // the vertex is processed, its label is the number of its wedge.
   void set_wedge(halfedge_descriptor h, std::uint32_t wedge) { label(h) = wedge; }
-  std::uint32_t wedge(halfedge_descriptor h)
+  std::uint32_t wedge(halfedge_descriptor h) { return label(h); }
+
+  // A circulation sees one closed fan of faces around a vertex; if there are several, the data
+  // structure cannot show them all, and an edge of a vertex may be met that is not in its star.
+  [[noreturn]] static void throw_non_manifold()
   {
-    if (label(h) == no_arc)
-      throw_non_manifold();
-    return label(h);
+    throw Reeb_graph_error(
+        "the mesh is not a 2-manifold: the faces around a vertex form several fans");
   }
 
 private:
@@ -118,14 +121,6 @@ private:
   {
     const auto range = halfedges(m_tmesh);
     return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
-  }
-
-  // A circulation sees one closed fan of faces around a vertex; if there are several, the data
-  // structure cannot show them all.
-  [[noreturn]] static void throw_non_manifold()
-  {
-    throw Reeb_graph_error(
-        "the mesh is not a 2-manifold: the faces around a vertex form several fans");
   }
 
   auto is_above(vertex_descriptor v) const

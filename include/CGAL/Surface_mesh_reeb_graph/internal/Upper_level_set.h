@@ -77,7 +77,8 @@ public:
     }
   }
 
-  bool is_walking() const { return m_number_of_unfinished > 1; }
+  // (On a 2-manifold there are always walks left while components are not known.)
+  bool is_walking() const { return m_number_of_unfinished > 1 && !m_turns.empty(); }
 
   // Lets every walk take a step. `is_above(u)` tells whether a vertex lies above the level,
   // `wedge_of(h)` gives the wedge of an upper edge of the vertex.
