@@ -1295,8 +1295,7 @@ BOOST_AUTO_TEST_CASE(parameters_out_of_range)
 BOOST_AUTO_TEST_CASE(empty_mesh)
 {
   const Mesh mesh;
-  const std::vector<double> values;
-  const auto map = CGAL::make_property_map(values);
+  const auto map = function_map<Vertex>([](Vertex) { return 0.; });
   SMRG::Reeb_graph<Mesh> graph;
   add_vertex(graph);
   SMRG::compute_reeb_graph(mesh, map, graph);

@@ -69,7 +69,8 @@ all the eigenpairs that there are; one without extent, as an isolated vertex, ha
 
 **Number of eigenpairs.** How many pairs are used is part of the definition of the distances, not an
 accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it is
-extended up to the next gap.
+extended up to the next gap. If a component has so few vertices that all its pairs are used, those with
+eigenvalues more than some million times the smallest one, which degenerate faces produce, are left out.
 
 **Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are divided by the
 smallest one (which is not zero), as the paper normalizes the spectrum. Hence distances and times have
@@ -125,7 +126,7 @@ public:
       \cgalParamDescription{the points of the vertices}
       \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
       \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
-      \cgalParamExtra{coordinates are converted to `double`}
+      \cgalParamExtra{coordinates are converted to `double` by `CGAL::to_double()`}
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
@@ -172,6 +173,15 @@ public:
     if (!has_area)
       throw Reeb_graph_error("the surface has no area: all faces are single points");
   }
+
+  /// \cond SKIP_IN_MANUAL
+
+  // The basis refers to the mesh: a temporary one would be gone.
+  template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+  explicit Laplace_beltrami_eigenbasis(
+      const TriangleMesh&&, const NamedParameters& = CGAL::parameters::default_values()) = delete;
+
+  /// \endcond
 
   /// @}
   /// \name Access
@@ -352,9 +362,10 @@ private:
       psi.cwiseAbs().maxCoeff(&largest);
       if (psi[largest] < 0)
         psi = -psi;
+      const Eigen::VectorXd l_psi = matrices.stiffness * psi;
       const Eigen::VectorXd m_psi = matrices.mass.cwiseProduct(psi);
-      const double residual = (matrices.stiffness * psi - basis.eigenvalues[i] * m_psi).norm() /
-                              (basis.eigenvalues[i] * m_psi.norm());
+      const double scale = basis.eigenvalues[i] * m_psi.norm();
+      const double residual = (l_psi - basis.eigenvalues[i] * m_psi).norm() / scale;
       if (!(residual <= tolerance)) {
         std::ostringstream message;
         message << "eigenpair " << i + 1 << " has the relative residual " << residual

@@ -19,8 +19,8 @@ namespace Surface_mesh_reeb_graph {
 \ingroup PkgSurfaceMeshReebGraphClasses
 
 The exception thrown when the *data* make a computation impossible: a value or a coordinate that is
-not a number, a component without area, a factorization that failed, an eigensolver that did not
-converge. It is thrown in every build mode; `what()` says what was found and where. All outputs of the
+not a number, a surface without area, a factorization that failed, an eigensolver that did not
+converge, a parameter out of its range. It is thrown in every build mode; `what()` says what was found and where. All outputs of the
 function that throws are left as they were.
 
 Wrong use of a function (for example a mesh that has faces other than triangles) is a violated

@@ -50,7 +50,7 @@ limbs the graph has a minimum in the center and a maximum at the tip of every li
   \cgalParamNBegin{persistence_threshold, threshold_is_absolute}
     \cgalParamDescription{as in `simplify_reeb_graph()`}
     \cgalParamType{`double`, Boolean}
-    \cgalParamDefault{`0`, `false`: nothing is cancelled}
+    \cgalParamDefault{`0`, `false`: only pairs of persistence zero are cancelled}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_value_map}
     \cgalParamDescription{receives the mapping function}
@@ -120,10 +120,8 @@ void commute_time_reeb_graph(const TriangleMesh& tmesh,
     feature_points(basis, std::back_inserter(points), np);
     commute_time_function(basis, points, values);
   }
-  MutableGraph result;
-  compute_reeb_graph(tmesh, values, result, np);
-  simplify_reeb_graph(tmesh, values, result, np);
-  graph = result;
+  compute_reeb_graph(tmesh, values, graph, np);
+  simplify_reeb_graph(tmesh, values, graph, np);
 
   if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_value_map_t>::value) {
     auto vertex_value_map = internal::get_own_parameter(np, internal::tags::vertex_value_map);

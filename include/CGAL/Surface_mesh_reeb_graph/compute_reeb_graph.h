@@ -95,18 +95,23 @@ cancelled: a constant function on a sphere has one minimum, one maximum and one 
 
 Infinite values are ordered as such. An empty mesh gives an empty graph.
 
+Calls for the same mesh may run in several threads at once. (For a polyhedron whose items have ids that are not set,
+\cgal sets them at the first use: that call must be over before others begin.)
+
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value
-        type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type that can
+        be assigned to the member `value` of the nodes as value type. The map is read several times for
+        every vertex: reading must be cheap, and always give the same.
 \tparam MutableGraph a model of `VertexMutableGraph`, `EdgeMutableGraph` and `VertexListGraph` that
         allows parallel edges, default constructible and assignable, with bundled properties that have
-        (at least) the members of `Reeb_node` and `Reeb_arc`; for example `Reeb_graph<TriangleMesh>`
+        (at least) the members of `Reeb_node` and `Reeb_arc` and are default constructible and copyable;
+        for example `Reeb_graph<TriangleMesh>`, or `Reeb_graph<TriangleMesh, FT>` for values of type `FT`
 \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
-\param graph the Reeb graph; what it contained before is lost
+\param graph the Reeb graph; what it contained before is lost, a property of the whole graph included
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
@@ -121,18 +126,20 @@ Infinite values are ordered as such. An empty mesh gives an empty graph.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a map from every vertex to a distinct non-negative integer}
+    \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`}
     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 Takes O(n log n) time for *n* vertices, plus the time to walk along the shorter components at every saddle,
-and about 60 bytes per vertex while it runs.
+and about 40 bytes per vertex while it runs if the vertices and halfedges of the mesh have indices.
 
 \pre `CGAL::is_triangle_mesh(tmesh)`
 
-\throws Reeb_graph_error if a value is not a number; `graph` and the maps are then left as they were
+\throws Reeb_graph_error if a value is not a number, if the faces around a vertex form several closed fans, or
+        if the arcs cannot be numbered in the value type of the map; `graph` and the map are then left
+        as they were
 
 \sa `simplify_reeb_graph()`
 \sa `commute_time_reeb_graph()`
@@ -152,20 +159,24 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto edge_index_map = CGAL::get_initialized_edge_index_map(tmesh);
+  const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);
   using VIM = std::decay_t<decltype(vertex_index_map)>;
-  using EIM = std::decay_t<decltype(edge_index_map)>;
+  using HIM = std::decay_t<decltype(halfedge_index_map)>;
 
   const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(tmesh, scalar_map, vertex_index_map);
   const std::vector<vertex_descriptor> sorted_vertices =
       internal::sorted_vertices(tmesh, order, vertex_index_map);
 
   internal::Arc_list<vertex_descriptor> list =
-      internal::Sweep<TriangleMesh, VIM, EIM>(
-          tmesh, sorted_vertices, vertex_index_map, edge_index_map)
+      internal::Sweep<TriangleMesh, VIM, HIM>(
+          tmesh, sorted_vertices, vertex_index_map, halfedge_index_map)
           .run();
   if (order.has_plateaus())
     internal::cancel_zero_persistence_pairs(list, sorted_vertices, vertex_index_map, order);
+
+  if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_arc_map_t>::value)
+    internal::check_arc_number_type(
+        list.arcs.size(), internal::get_own_parameter(np, internal::tags::vertex_arc_map));
 
   std::vector<internal::Node_bundle<MutableGraph>> nodes(list.nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {

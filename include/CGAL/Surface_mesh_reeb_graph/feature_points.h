@@ -127,7 +127,7 @@ exact, except on shapes so symmetric that a large part of all pairs is as long a
 
 \return the output iterator
 
-\throws Reeb_graph_error if a time is negative or not a number; nothing has been written then
+\throws Reeb_graph_error if a time is negative or not a finite number; nothing has been written then
 */
 template <class TriangleMesh,
           class SolverTraits,
@@ -141,8 +141,9 @@ OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, So
   const double large_time = internal::choose_own_parameter(np, internal::tags::large_time, 20.);
   const bool takes_minima =
       internal::choose_own_parameter(np, internal::tags::minima_as_feature_points, false);
-  if (!(small_time >= 0) || !(large_time >= 0))
-    throw Reeb_graph_error("a diffusion time is negative or not a number");
+  for (double time : {small_time, large_time})
+    if (!(time >= 0) || !std::isfinite(time))
+      throw Reeb_graph_error("a diffusion time is negative or not a finite number");
 
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     if (basis.number_of_eigenpairs(c) == 0)

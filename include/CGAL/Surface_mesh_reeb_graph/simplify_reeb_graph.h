@@ -22,7 +22,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -95,7 +94,7 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
     \cgalParamExtra{`Reeb_arc::vertices` is brought up to date as well if it has been filled.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a map from every vertex to a distinct non-negative integer, the same as for `compute_reeb_graph()`}
+    \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`, the same as for `compute_reeb_graph()`}
     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
@@ -105,8 +104,8 @@ Takes O(m log m) time for a graph with *m* nodes, plus the lengths of the paths 
 other branches hang on a cancelled one, plus O(n) for *n* vertices if there is anything to bring up to
 date for them.
 
-\throws Reeb_graph_error if the threshold is negative or not a number, or a value is not a number;
-        `graph` and the map are then left as they were
+\throws Reeb_graph_error if the threshold is negative or not a number, if a value is not a number, or if graph and
+        map do not belong together; `graph` and the map are then left as they were
 
 \sa `compute_reeb_graph()`
 */
@@ -135,10 +134,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   std::vector<internal::Arc_ends> ends;
   internal::read_graph(graph, nodes, arcs, ends);
 
-  std::vector<double> values;
-  values.reserve(nodes.size());
-  for (const Node& node : nodes)
-    values.push_back(CGAL::to_double(node.value));
+  const std::vector<double> values = internal::values_of_nodes(nodes);
   const std::vector<double> thresholds =
       is_absolute ? std::vector<double>(nodes.size(), threshold)
                   : internal::fractions_of_component_ranges(values, ends, threshold);
@@ -189,6 +185,11 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
     if constexpr (has_vertex_arc_map) {
       auto vertex_arc_map = internal::get_own_parameter(np, internal::tags::vertex_arc_map);
       using Number = typename boost::property_traits<decltype(vertex_arc_map)>::value_type;
+      for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+        const Number arc = get(vertex_arc_map, v);
+        if (arc != static_cast<Number>(null_arc) && static_cast<std::size_t>(arc) >= arcs.size())
+          throw Reeb_graph_error("the vertex arc map does not belong to the Reeb graph");
+      }
       for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
         const Number arc = get(vertex_arc_map, v);
         if (arc != static_cast<Number>(null_arc))

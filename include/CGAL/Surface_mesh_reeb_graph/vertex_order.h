@@ -14,14 +14,15 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -42,7 +43,7 @@ The strict total order of the vertices that turns any scalar function into a Mor
    of its own, but for the one that it is if it has no lower border;
 3. by their index.
 
-The object is a model of `StrictWeakOrdering` for vertices and can be given to `std::sort()`. On a
+The object can be copied cheaply. It is a model of `StrictWeakOrdering` for vertices and can be given to `std::sort()`. On a
 function without plateaus it takes no memory.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
@@ -50,7 +51,7 @@ function without plateaus it takes no memory.
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or any
         other type with a strict order `<`, as value type
 \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and a
-        distinct non-negative integer for every vertex
+        distinct integer from 0 to `num_vertices(tmesh) - 1` for every vertex
 */
 template <class TriangleMesh, class VertexScalarMap, class VertexIndexMap>
 class Vertex_order
@@ -61,7 +62,7 @@ public:
   /// the vertex descriptor of the mesh
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   /// the type of the function's values
-  using FT = typename boost::property_traits<VertexScalarMap>::value_type;
+  using FT = std::remove_cv_t<typename boost::property_traits<VertexScalarMap>::value_type>;
 
   /*!
   prepares the order.
@@ -88,13 +89,13 @@ public:
   FT value(vertex_descriptor v) const { return get(m_scalar_map, v); }
 
   /// returns `true` if two neighbors have the same value.
-  bool has_plateaus() const { return !m_plateau_distance.empty(); }
+  bool has_plateaus() const { return m_plateau_distance != nullptr; }
 
   /// returns the number of edges from `v`, along its plateau, to the plateau's lower border
   /// (0 for a vertex that lies in no plateau).
   std::uint32_t plateau_distance(vertex_descriptor v) const
   {
-    return m_plateau_distance.empty() ? 0 : m_plateau_distance[get(m_vertex_index_map, v)];
+    return m_plateau_distance == nullptr ? 0 : (*m_plateau_distance)[get(m_vertex_index_map, v)];
   }
 
   /// returns `true` if `u` comes before `v`.
@@ -114,13 +115,11 @@ public:
 private:
   void check_values(const TriangleMesh& tmesh) const
   {
-    if constexpr (std::is_floating_point<FT>::value) {
-      for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-        if (std::isnan(value(v))) {
-          std::ostringstream message;
-          message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
-          throw Reeb_graph_error(message.str());
-        }
+    for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+      if (!CGAL::is_valid(value(v))) {
+        std::ostringstream message;
+        message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
+        throw Reeb_graph_error(message.str());
       }
     }
   }
@@ -144,11 +143,12 @@ private:
   void measure_plateaus(const TriangleMesh& tmesh)
   {
     constexpr std::uint32_t unreached = (std::numeric_limits<std::uint32_t>::max)();
-    m_plateau_distance.assign(internal::index_bound(tmesh, m_vertex_index_map), unreached);
+    m_plateau_distance = std::make_shared<std::vector<std::uint32_t>>(
+        internal::index_bound(tmesh, m_vertex_index_map), unreached);
 
     std::vector<vertex_descriptor> queue;
     auto reach = [&](vertex_descriptor v, std::uint32_t distance) {
-      m_plateau_distance[get(m_vertex_index_map, v)] = distance;
+      (*m_plateau_distance)[get(m_vertex_index_map, v)] = distance;
       queue.push_back(v);
     };
     auto search = [&]() {
@@ -183,7 +183,8 @@ private:
 
   VertexScalarMap m_scalar_map;
   VertexIndexMap m_vertex_index_map;
-  std::vector<std::uint32_t> m_plateau_distance;
+  // by vertex index, null without plateaus; shared, so that copies of the order are cheap
+  std::shared_ptr<std::vector<std::uint32_t>> m_plateau_distance;
 };
 
 } // namespace Surface_mesh_reeb_graph

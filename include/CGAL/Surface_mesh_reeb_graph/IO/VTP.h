@@ -10,11 +10,17 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_IO_VTP_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_VTP_H
 
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -28,7 +34,8 @@ namespace IO {
 \ingroup PkgSurfaceMeshReebGraphIO
 
 writes a mesh with a function and the arcs of its vertices as a VTK XML file (`.vtp`) for ParaView. The arrays of the
-points are named `value` and `arc`; a vertex without an arc has the arc number -1.
+points are named `value` and `arc`; a vertex without an arc has the arc number -1. ParaView reads finite numbers
+only: infinite values become the largest of these.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` from vertices to numbers
 \tparam VertexArcMap a model of `ReadablePropertyMap` from vertices to integers
@@ -53,7 +60,9 @@ bool write_VTP(std::ostream& out,
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+  using Number = typename boost::property_traits<VertexArcMap>::value_type;
 
+  constexpr double largest = (std::numeric_limits<double>::max)();
   const auto vertex_point_map =
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                        CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
@@ -65,7 +74,7 @@ bool write_VTP(std::ostream& out,
   const auto number_of_faces =
       static_cast<std::size_t>(std::distance(face_range.begin(), face_range.end()));
 
-  const std::streamsize precision = out.precision(std::numeric_limits<double>::max_digits10);
+  const internal::Exact_output exact_output(out);
   out << "<?xml version=\"1.0\"?>\n"
       << "<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       << "<PolyData>\n<Piece NumberOfPoints=\"" << number_of_vertices << "\" NumberOfPolys=\""
@@ -73,10 +82,12 @@ bool write_VTP(std::ostream& out,
       << "<PointData Scalars=\"value\">\n"
       << "<DataArray type=\"Float64\" Name=\"value\" format=\"ascii\">\n";
   for (auto v : CGAL::make_range(vertices(tmesh)))
-    out << CGAL::to_double(get(values, v)) << '\n';
+    out << (std::min)((std::max)(CGAL::to_double(get(values, v)), -largest), largest) << '\n';
   out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"arc\" format=\"ascii\">\n";
   for (auto v : CGAL::make_range(vertices(tmesh)))
-    out << static_cast<long long>(get(arcs, v)) << '\n';
+    out << (get(arcs, v) == static_cast<Number>(null_arc) ? -1
+                                                          : static_cast<long long>(get(arcs, v)))
+        << '\n';
   out << "</DataArray>\n</PointData>\n<Points>\n"
       << "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for (auto v : CGAL::make_range(vertices(tmesh))) {
@@ -95,7 +106,6 @@ bool write_VTP(std::ostream& out,
   for (std::size_t i = 1; i <= number_of_faces; ++i)
     out << 3 * i << '\n';
   out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
-  out.precision(precision);
   return out.good();
 }
 

@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_IO_GRAPH_FORMATS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_GRAPH_FORMATS_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
+
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
@@ -17,16 +19,45 @@
 #include <boost/graph/graphml.hpp>
 #include <boost/graph/graphviz.hpp>
 #include <boost/graph/properties.hpp>
+#include <boost/make_shared.hpp>
 #include <boost/property_map/dynamic_property_map.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <typeinfo>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
+
+// A number with all its digits: boost::dynamic_properties alone writes six.
+template <class Key, class Function>
+class Exact_number_property : public boost::dynamic_property_map
+{
+public:
+  explicit Exact_number_property(const Function& function) : m_function(function) {}
+
+  boost::any get(const boost::any& key) override { return m_function(boost::any_cast<Key>(key)); }
+  std::string get_string(const boost::any& key) override
+  {
+    std::ostringstream text;
+    const Exact_output exact_output(text);
+    text << m_function(boost::any_cast<Key>(key));
+    return text.str();
+  }
+  void put(const boost::any&, const boost::any&) override
+  {
+    throw boost::dynamic_const_put_error();
+  }
+  const std::type_info& key() const override { return typeid(Key); }
+  const std::type_info& value() const override { return typeid(double); }
+
+private:
+  Function m_function;
+};
 
 // The properties of nodes and arcs that both formats write.
 template <class Graph, class TriangleMesh, class NamedParameters>
@@ -49,6 +80,14 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
                           return function(get(boost::vertex_bundle, graph)[n]);
                         }));
   };
+  const auto add_number_property = [&](const std::string& name, auto function) {
+    const auto number = [&graph, function](Node n) -> double {
+      return function(get(boost::vertex_bundle, graph)[n]);
+    };
+    properties.insert(
+        name,
+        boost::make_shared<Exact_number_property<Node, std::decay_t<decltype(number)>>>(number));
+  };
   const auto add_arc_property = [&](const std::string& name, auto function) {
     properties.property(name, boost::make_function_property_map<Arc>([&graph, function](Arc a) {
                           return function(get(boost::edge_bundle, graph)[a]);
@@ -58,19 +97,19 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
   add_node_property("mesh_vertex", [vertex_index_map](const auto& node) {
     return static_cast<unsigned long>(get(vertex_index_map, node.vertex));
   });
-  add_node_property("value", [](const auto& node) { return CGAL::to_double(node.value); });
+  add_number_property("value", [](const auto& node) { return CGAL::to_double(node.value); });
   add_node_property("type", [](const auto& node) {
     std::ostringstream word;
     word << node.type;
     return word.str();
   });
-  add_node_property("x", [vertex_point_map](const auto& node) {
+  add_number_property("x", [vertex_point_map](const auto& node) {
     return CGAL::to_double(get(vertex_point_map, node.vertex).x());
   });
-  add_node_property("y", [vertex_point_map](const auto& node) {
+  add_number_property("y", [vertex_point_map](const auto& node) {
     return CGAL::to_double(get(vertex_point_map, node.vertex).y());
   });
-  add_node_property("z", [vertex_point_map](const auto& node) {
+  add_number_property("z", [vertex_point_map](const auto& node) {
     return CGAL::to_double(get(vertex_point_map, node.vertex).z());
   });
   add_arc_property("id", [](const auto& arc) { return static_cast<unsigned long>(arc.id); });

@@ -11,11 +11,11 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_POLYLINES_H
 
 #include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
-#include <limits>
 #include <ostream>
 
 namespace CGAL {
@@ -26,7 +26,7 @@ namespace IO {
 \ingroup PkgSurfaceMeshReebGraphIO
 
 writes the arcs of a Reeb graph as polylines, in \cgal's format: a line for every arc, in the order of `edges(graph)`, with
-the number of points and their coordinates. Coordinates are written such that they can be read back exactly.
+the number of points and their coordinates. Coordinates are converted to `double` and written such that these can be read back exactly.
 
 \param out the stream
 \param graph the Reeb graph
@@ -45,7 +45,7 @@ bool write_polylines(std::ostream& out,
                      const TriangleMesh& tmesh,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const std::streamsize precision = out.precision(std::numeric_limits<double>::max_digits10);
+  const internal::Exact_output exact_output(out);
   for (auto arc : CGAL::make_range(edges(graph))) {
     const auto polyline = arc_polyline(arc, graph, tmesh, np);
     out << polyline.size();
@@ -54,7 +54,6 @@ bool write_polylines(std::ostream& out,
           << CGAL::to_double(p.z());
     out << '\n';
   }
-  out.precision(precision);
   return out.good();
 }
 

@@ -96,11 +96,11 @@ Laplace_beltrami_matrices laplace_beltrami_matrices(const TriangleMesh& tmesh,
   const Eigen::Index n = static_cast<Eigen::Index>(component.vertices.size());
   result.stiffness.resize(n, n);
   result.mass = Eigen::VectorXd::Zero(n);
-  if (!(sum_of_lengths > 0))
+  if (!std::isfinite(sum_of_lengths))
+    throw Reeb_graph_error("its coordinates are too large: the edges have no finite length");
+  if (sum_of_lengths == 0)
     return result;
   result.unit = sum_of_lengths / (3. * static_cast<double>(triangles.size()));
-  if (!std::isfinite(result.unit))
-    throw Reeb_graph_error("its coordinates are too large: the edges have no finite length");
 
   constexpr double margin = 1e-5;
   double excess = 0;

@@ -19,9 +19,10 @@
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -52,6 +53,7 @@ public:
     , m_sqrt_mass(matrices.mass.cwiseSqrt())
     , m_shift(0.5 * 4 * pi() / matrices.area)
     , m_shifted(static_cast<int>(rows()))
+    , m_found(rows(), 0)
     , m_right_hand_side(static_cast<int>(rows()))
     , m_solution(static_cast<int>(rows()))
   {
@@ -66,21 +68,22 @@ public:
       throw Reeb_graph_error("the factorization of the shifted stiffness matrix failed");
   }
 
-  // The `number` smallest eigenpairs, or all that there are.
+  // The `number` smallest eigenpairs, or all that there are. What earlier calls have found is used.
   Eigenpairs smallest(Eigen::Index number)
   {
-    const Eigen::Index dimension = 2 * number + 20; // of the Krylov space
-    return dimension < rows() ? krylov(number, dimension) : dense(number);
+    // a Krylov space and what is orthogonal to it need room
+    return 3 * number + 60 < rows() ? krylov(number) : dense(number);
   }
 
-  // The operator A, as Spectra wants it.
+  // The operator A, as Spectra wants it, on the vectors that are orthogonal to those found already.
   Eigen::Index rows() const { return m_matrices.mass.size(); }
   Eigen::Index cols() const { return rows(); }
   void perform_op(const double* x_in, double* y_out) const
   {
     const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
     Eigen::Map<Eigen::VectorXd> y(y_out, rows());
-    y = m_sqrt_mass.cwiseProduct(solve(m_sqrt_mass.cwiseProduct(x)));
+    y = m_sqrt_mass.cwiseProduct(solve(m_sqrt_mass.cwiseProduct(deflated(x))));
+    y = deflated(y);
   }
 
 private:
@@ -95,8 +98,29 @@ private:
     return m_solution;
   }
 
-  Eigenpairs krylov(Eigen::Index number, Eigen::Index dimension)
+  Eigen::VectorXd deflated(const Eigen::VectorXd& x) const
   {
+    return x - m_found * (m_found.transpose() * x);
+  }
+
+  // A Krylov space holds one vector of every eigenspace: further ones of a multiple eigenvalue come in by
+  // rounding only, late or never. So the space orthogonal to the vectors found is searched again, until
+  // it has no eigenvalue left among those wanted.
+  Eigenpairs krylov(Eigen::Index number)
+  {
+    if (m_nu.size() < number)
+      add_largest(number - m_nu.size(), 0.);
+    constexpr Eigen::Index probes = 3;
+    while (add_largest(probes, m_nu[number - 1])) {
+    }
+    return untransformed(m_nu.head(number), m_found.leftCols(number));
+  }
+
+  // Of the `number` largest eigenvalues on the vectors orthogonal to those found, adds those above `bound`.
+  // Returns whether there are any.
+  bool add_largest(Eigen::Index number, double bound)
+  {
+    const Eigen::Index dimension = 2 * number + 20; // of the Krylov space
     Spectra::SymEigsSolver<Shift_invert_eigensolver> solver(*this, number, dimension);
     solver.init();
     constexpr int max_restarts = 300;
@@ -105,11 +129,32 @@ private:
     if (solver.info() != Spectra::CompInfo::Successful)
       throw Reeb_graph_error("the eigensolver did not converge in " + std::to_string(max_restarts) +
                              " restarts");
-    return untransformed(solver.eigenvalues(), solver.eigenvectors());
+    const Eigen::Index added = (solver.eigenvalues().array() > bound).count();
+    if (added == 0)
+      return false;
+
+    Eigen::VectorXd nu(m_nu.size() + added);
+    nu << m_nu, solver.eigenvalues().head(added);
+    Eigen::MatrixXd vectors(rows(), nu.size());
+    vectors << m_found, solver.eigenvectors(added);
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(nu.size()));
+    std::iota(order.begin(), order.end(), Eigen::Index(0));
+    std::stable_sort(order.begin(), order.end(), [&nu](Eigen::Index i, Eigen::Index j) {
+      return nu[i] > nu[j];
+    });
+    m_nu.resize(nu.size());
+    m_found.resize(rows(), nu.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      m_nu[static_cast<Eigen::Index>(i)] = nu[order[i]];
+      m_found.col(static_cast<Eigen::Index>(i)) = vectors.col(order[i]);
+    }
+    return true;
   }
 
   Eigenpairs dense(Eigen::Index number)
   {
+    m_nu.resize(0);
+    m_found.resize(rows(), 0);
     Eigen::MatrixXd a(rows(), rows());
     for (Eigen::Index j = 0; j < rows(); ++j) {
       const Eigen::VectorXd unit = Eigen::VectorXd::Unit(rows(), j);
@@ -118,9 +163,11 @@ private:
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
     if (solver.info() != Eigen::Success)
       throw Reeb_graph_error("the dense eigensolver did not converge");
-    // a vertex without mass gives the eigenvalue nu = 0: there is no pair for it
+    // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong to
+    // faces that are degenerate: those of a regular mesh of so few vertices differ by a thousand.
+    constexpr double negligible = 1e-7;
     const double largest = solver.eigenvalues().maxCoeff();
-    const Eigen::Index available = (solver.eigenvalues().array() > 1e-13 * largest).count();
+    const Eigen::Index available = (solver.eigenvalues().array() > negligible * largest).count();
     number = (std::min)(number, available);
     return untransformed(solver.eigenvalues().tail(number).reverse(),
                          solver.eigenvectors().rightCols(number).rowwise().reverse());
@@ -141,6 +188,8 @@ private:
   Eigen::VectorXd m_sqrt_mass;
   double m_shift;
   Matrix m_shifted;
+  Eigen::VectorXd m_nu;    // eigenvalues of A found so far, decreasing
+  Eigen::MatrixXd m_found; // their eigenvectors, orthonormal
   // a solver works on its own state when it solves
   mutable SolverTraits m_solver;
   mutable Vector m_right_hand_side, m_solution;

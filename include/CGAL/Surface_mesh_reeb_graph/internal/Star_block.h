@@ -69,7 +69,7 @@ public:
     for (std::size_t i = 0; i < size; ++i) {
       m_stars[i].vertex = vertices[i];
       m_stars[i].halfedges.clear();
-      if (!is_isolated(vertices[i], m_tmesh)) {
+      if (!has_no_edge(vertices[i], m_tmesh)) {
         m_stars[i].halfedges.push_back(halfedge(vertices[i], m_tmesh));
         m_active.push_back(i);
       }

@@ -38,7 +38,7 @@ namespace internal {
 // Every crossed edge carries the number of the arc to which its component of the level set belonged
 // when the label was given. When an arc ends at a node, a union-find structure hands its labels on to
 // an arc that begins there: only the edges of the shorter components get new labels.
-template <class TriangleMesh, class VertexIndexMap, class EdgeIndexMap>
+template <class TriangleMesh, class VertexIndexMap, class HalfedgeIndexMap>
 class Sweep
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -52,13 +52,15 @@ public:
   Sweep(const TriangleMesh& tmesh,
         const std::vector<vertex_descriptor>& order,
         VertexIndexMap vertex_index_map,
-        EdgeIndexMap edge_index_map)
+        HalfedgeIndexMap halfedge_index_map)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
-    , m_edge_index_map(edge_index_map)
+    , m_halfedge_index_map(halfedge_index_map)
     , m_rank(index_bound(tmesh, vertex_index_map))
-    , m_label(edge_index_bound(), no_arc)
+    , m_are_halfedges_paired(are_halfedges_paired())
+    , m_label(m_are_halfedges_paired ? (halfedge_index_bound() + 1) / 2 : halfedge_index_bound(),
+              no_arc)
     , m_stars(tmesh, has_border())
   {
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -99,14 +101,30 @@ public:
   }
 
 private:
-  std::size_t edge_index_bound() const
+  std::size_t halfedge_index(halfedge_descriptor h) const
+  {
+    return static_cast<std::size_t>(get(m_halfedge_index_map, h));
+  }
+
+  std::size_t halfedge_index_bound() const
   {
     std::size_t bound = 0;
-    for (auto e : CGAL::make_range(edges(m_tmesh)))
-      bound = (std::max)(bound, static_cast<std::size_t>(get(m_edge_index_map, e)) + 1);
+    for (halfedge_descriptor h : CGAL::make_range(halfedges(m_tmesh)))
+      bound = (std::max)(bound, halfedge_index(h) + 1);
     if (bound >= no_arc)
-      throw Reeb_graph_error("the mesh has more than 2^32 - 2 edges");
+      throw Reeb_graph_error("the mesh has more than 2^32 - 2 halfedges");
     return bound;
+  }
+
+  // Whether the halfedges of every edge have the numbers 2 i and 2 i + 1, as they usually do.
+  bool are_halfedges_paired() const
+  {
+    for (auto e : CGAL::make_range(edges(m_tmesh))) {
+      const halfedge_descriptor h = halfedge(e, m_tmesh);
+      if (halfedge_index(h) / 2 != halfedge_index(opposite(h, m_tmesh)) / 2)
+        return false;
+    }
+    return true;
   }
 
   bool has_border() const
@@ -130,7 +148,9 @@ private:
 
   std::uint32_t& label(halfedge_descriptor h)
   {
-    return m_label[get(m_edge_index_map, edge(h, m_tmesh))];
+    const std::size_t i = halfedge_index(h);
+    return m_label[m_are_halfedges_paired ? i / 2
+                                          : (std::min)(i, halfedge_index(opposite(h, m_tmesh)))];
   }
 
   // The arc that the component of a crossed edge belongs to now.
@@ -203,9 +223,10 @@ private:
   const TriangleMesh& m_tmesh;
   const std::vector<vertex_descriptor>& m_order;
   VertexIndexMap m_vertex_index_map;
-  EdgeIndexMap m_edge_index_map;
-  std::vector<std::uint32_t> m_rank;  // by vertex index
-  std::vector<std::uint32_t> m_label; // by edge index, valid for crossed edges
+  HalfedgeIndexMap m_halfedge_index_map;
+  std::vector<std::uint32_t> m_rank; // by vertex index
+  bool m_are_halfedges_paired;
+  std::vector<std::uint32_t> m_label; // of the edges, by the indices of their halfedges
   Number_sets m_arc_sets; // arcs that have ended, with the arc that has their labels now
   Arc_list<vertex_descriptor> m_result;
   std::size_t m_number_of_star_edges = 0;

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -25,6 +26,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,20 +47,51 @@ void read_graph(const Graph& graph,
   nodes.resize(num_vertices(graph));
   arcs.resize(num_edges(graph));
   ends.resize(arcs.size());
+  std::vector<bool> is_node_read(nodes.size(), false), is_arc_read(arcs.size(), false);
   for (auto n : CGAL::make_range(vertices(graph))) {
-    if (node_map[n].id >= nodes.size())
+    const std::size_t i = node_map[n].id;
+    if (i >= nodes.size() || is_node_read[i])
       throw Reeb_graph_error("the nodes of the Reeb graph are not numbered from 0 without gaps");
-    nodes[node_map[n].id] = node_map[n];
+    if (!CGAL::is_valid(node_map[n].value))
+      throw Reeb_graph_error("the value of node " + std::to_string(i) + " is not a number");
+    nodes[i] = node_map[n];
+    is_node_read[i] = true;
   }
   for (auto e : CGAL::make_range(edges(graph))) {
     const std::size_t i = arc_map[e].id;
-    if (i >= arcs.size())
+    if (i >= arcs.size() || is_arc_read[i])
       throw Reeb_graph_error("the arcs of the Reeb graph are not numbered from 0 without gaps");
     arcs[i] = arc_map[e];
+    is_arc_read[i] = true;
     const std::pair<std::size_t, std::size_t> ids =
         std::minmax({node_map[source(e, graph)].id, node_map[target(e, graph)].id});
     ends[i] = {static_cast<std::uint32_t>(ids.first), static_cast<std::uint32_t>(ids.second)};
   }
+}
+
+// The values of the nodes for differences in `double`. Numbers that are not floating-point ones may have
+// more digits: what is converted is their difference to the lowest value, exactly or nearly.
+template <class Node>
+std::vector<double> values_of_nodes(const std::vector<Node>& nodes)
+{
+  using FT = std::decay_t<decltype(nodes.front().value)>;
+  std::vector<double> values;
+  values.reserve(nodes.size());
+  for (const Node& node : nodes) {
+    const FT& least = nodes.front().value;
+    if constexpr (std::is_floating_point<FT>::value) {
+      values.push_back(node.value);
+    } else if constexpr (std::is_integral<FT>::value) {
+      // in unsigned numbers the difference cannot overflow
+      using Unsigned = std::make_unsigned_t<FT>;
+      const Unsigned difference =
+          static_cast<Unsigned>(static_cast<Unsigned>(node.value) - static_cast<Unsigned>(least));
+      values.push_back(static_cast<double>(difference));
+    } else {
+      values.push_back(CGAL::to_double(node.value - least));
+    }
+  }
+  return values;
 }
 
 // For every node the fraction of the range of finite values of the nodes in its connected component.

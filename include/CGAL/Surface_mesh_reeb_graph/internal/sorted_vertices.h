@@ -41,6 +41,7 @@ sorted_vertices(const TriangleMesh& tmesh,
   };
 
   std::vector<Keyed_vertex> keyed;
+  keyed.reserve(num_vertices(tmesh));
   for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
     keyed.push_back({order.value(v), order.plateau_distance(v), v});
   std::sort(keyed.begin(), keyed.end(), [&](const Keyed_vertex& a, const Keyed_vertex& b) {

@@ -33,7 +33,7 @@ std::size_t index_bound(const TriangleMesh& tmesh, VertexIndexMap vertex_index_m
 }
 
 template <class TriangleMesh>
-bool is_isolated(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+bool has_no_edge(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                  const TriangleMesh& tmesh)
 {
   return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
@@ -44,7 +44,7 @@ void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descri
                        const TriangleMesh& tmesh,
                        Function function)
 {
-  if (is_isolated(v, tmesh))
+  if (has_no_edge(v, tmesh))
     return;
   for (auto h : CGAL::halfedges_around_target(v, tmesh))
     function(source(h, tmesh));

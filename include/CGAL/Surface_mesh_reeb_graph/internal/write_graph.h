@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_WRITE_GRAPH_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -19,6 +20,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,8 +65,7 @@ void write_graph(MutableGraph& graph,
                                     boost::allow_parallel_edge_tag>::value,
                 "a Reeb graph needs a graph type that allows parallel edges");
 
-  if (num_vertices(graph) != 0)
-    graph = MutableGraph();
+  graph = MutableGraph();
 
   std::vector<typename Graph_traits::vertex_descriptor> descriptors;
   descriptors.reserve(nodes.size());
@@ -76,6 +77,17 @@ void write_graph(MutableGraph& graph,
     const auto e = add_edge(descriptors[ends[i].lower], descriptors[ends[i].upper], graph).first;
     get(boost::edge_bundle, graph)[e] = std::move(arcs[i]);
   }
+}
+
+// Throws if the value type of the map cannot hold the numbers of the arcs and that of no arc.
+template <class VertexArcMap>
+void check_arc_number_type(std::size_t number_of_arcs, const VertexArcMap&)
+{
+  using Number = typename boost::property_traits<VertexArcMap>::value_type;
+  using Limits = std::numeric_limits<Number>;
+  const std::size_t largest = static_cast<std::size_t>((Limits::max)());
+  if (number_of_arcs > (Limits::is_signed ? largest + 1 : largest))
+    throw Reeb_graph_error("the value type of the vertex arc map is too small to number the arcs");
 }
 
 // Writes the number of every vertex's arc to the user's map.
