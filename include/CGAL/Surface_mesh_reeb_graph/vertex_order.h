@@ -14,7 +14,9 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>

@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
