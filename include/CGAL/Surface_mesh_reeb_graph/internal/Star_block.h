@@ -40,6 +40,7 @@ struct Vertex_star
   std::vector<halfedge_descriptor> upper_edges;  // those from higher vertices
   std::vector<halfedge_descriptor> lower_wedges; // one from every wedge of lower edges
   Upper_level_set<TriangleMesh> above;
+  bool may_merge = false; // the components of `above` have not been looked for, see Star_block
 };
 
 // The stars of several vertices that follow each other in the order. In memory such vertices lie far
@@ -56,7 +57,7 @@ public:
   static constexpr std::size_t capacity = 16;
 
   Star_block(const TriangleMesh& tmesh, bool has_border)
-    : m_tmesh(tmesh), m_stars(capacity, Star(tmesh, has_border))
+    : m_tmesh(tmesh), m_has_border(has_border), m_stars(capacity, Star(tmesh, has_border))
   {}
 
   Star& operator[](std::size_t i) { return m_stars[i]; }
@@ -85,34 +86,60 @@ public:
 
   // Finds the wedges of the vertices, and the components of the level sets just above them. `context` gives
   // the ranks of vertices and remembers the wedges of upper edges.
+  //
+  // Two closed components that meet at a simple saddle merge into one: there is nothing to walk. Whether
+  // they are two is known only when the vertex has its turn in the sweep; where it seems so, the vertex
+  // may merge and waits.
   template <class Context>
   void find_upper_components(Context& context)
   {
     m_active.clear();
     for (std::size_t i = 0; i < m_size; ++i) {
-      find_wedges(m_stars[i], context);
-      m_stars[i].above.begin_walks();
-      if (m_stars[i].above.is_walking())
+      Star& star = m_stars[i];
+      find_wedges(star, context);
+      star.may_merge = !m_has_border && star.lower_wedges.size() == 2 &&
+                       star.above.number_of_wedges() == 2 &&
+                       context.seem_apart(star.lower_wedges[0], star.lower_wedges[1]);
+      star.above.begin_walks();
+      if (!star.may_merge && star.above.is_walking())
         m_active.push_back(i);
     }
-    in_turn([&context](Star& star) {
-      const std::uint32_t level = context.rank(star.vertex);
-      star.above.advance_walks(
-          star.vertex,
-          [&](vertex_descriptor u) { return level < context.rank(u); },
-          [&](halfedge_descriptor h) {
-            const std::uint32_t wedge = context.wedge(h);
-            if (wedge >= star.above.number_of_wedges())
-              context.throw_non_manifold();
-            return wedge;
-          });
+    in_turn([&](Star& star) {
+      advance(star, context);
       return star.above.is_walking();
     });
     for (std::size_t i = 0; i < m_size; ++i)
-      m_stars[i].above.end_walks();
+      if (!m_stars[i].may_merge)
+        m_stars[i].above.end_walks();
+  }
+
+  // What has been left out for a vertex that may merge.
+  template <class Context>
+  static void find_upper_components(Star& star, bool merges, Context& context)
+  {
+    if (merges)
+      star.above.join_all_wedges();
+    while (star.above.is_walking())
+      advance(star, context);
+    star.above.end_walks();
   }
 
 private:
+  template <class Context>
+  static void advance(Star& star, Context& context)
+  {
+    const std::uint32_t level = context.rank(star.vertex);
+    star.above.advance_walks(
+        star.vertex,
+        [&](vertex_descriptor u) { return level < context.rank(u); },
+        [&](halfedge_descriptor h) {
+          const std::uint32_t wedge = context.wedge(h);
+          if (wedge >= star.above.number_of_wedges())
+            context.throw_non_manifold();
+          return wedge;
+        });
+  }
+
   // Calls `step` for every active star in turn until it returns false for it.
   template <class Step>
   void in_turn(const Step& step)
@@ -179,6 +206,7 @@ private:
   }
 
   const TriangleMesh& m_tmesh;
+  bool m_has_border;
   std::vector<Star> m_stars;
   std::size_t m_size = 0;
   std::vector<std::size_t> m_active;

@@ -92,6 +92,15 @@ public:
   void set_wedge(halfedge_descriptor h, std::uint32_t wedge) { label(h) = wedge; }
   std::uint32_t wedge(halfedge_descriptor h) { return label(h); }
 
+  // Whether two lower edges of a vertex of the block belong to different components, as far as the labels
+  // tell by now: those of edges from other vertices of the block are not known yet.
+  bool seem_apart(halfedge_descriptor h, halfedge_descriptor g)
+  {
+    const std::size_t arcs = m_result.arcs.size();
+    return label(h) < arcs && label(g) < arcs &&
+           m_arc_sets.root(label(h)) != m_arc_sets.root(label(g));
+  }
+
   // A circulation sees one closed fan of faces around a vertex; if there are several, the data
   // structure cannot show them all, and an edge of a vertex may be met that is not in its star.
   [[noreturn]] static void throw_non_manifold()
@@ -177,6 +186,8 @@ private:
     std::sort(m_arcs_below.begin(), m_arcs_below.end());
     m_arcs_below.erase(std::unique(m_arcs_below.begin(), m_arcs_below.end()), m_arcs_below.end());
 
+    if (star.may_merge)
+      m_stars.find_upper_components(star, m_arcs_below.size() == 2, *this);
     if (m_arcs_below.size() == 1 && star.above.number_of_components() == 1)
       continue_arc(star);
     else

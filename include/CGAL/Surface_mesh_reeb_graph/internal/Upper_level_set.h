@@ -78,6 +78,13 @@ public:
   }
 
   // (On a 2-manifold there are always walks left while components are not known.)
+  // Instead of walks, if it is known that there is one component only.
+  void join_all_wedges()
+  {
+    for (std::uint32_t i = 1; i < number_of_wedges(); ++i)
+      join(0, i);
+  }
+
   bool is_walking() const { return m_number_of_unfinished > 1 && !m_turns.empty(); }
 
   // Lets every walk take a step. `is_above(u)` tells whether a vertex lies above the level,
