@@ -83,8 +83,9 @@ inline void print_text(std::ostream& out, const Options& options, const Result& 
   out << "Reeb graph: " << num_vertices(result.graph) << " nodes, " << num_edges(result.graph)
       << " arcs, " << number_of_loops(result)
       << (number_of_loops(result) == 1 ? " loop\n" : " loops\n");
-  out << "Nodes: " << counts.minima << " minima, " << counts.maxima << " maxima, " << counts.splits
-      << " splits, " << counts.merges << " merges, " << counts.degenerate << " degenerate\n";
+  out << "Nodes: minima " << counts.minima << ", maxima " << counts.maxima << ", splits "
+      << counts.splits << ", merges " << counts.merges << ", degenerate " << counts.degenerate
+      << '\n';
   if (!result.feature_points.empty())
     out << "Feature points: " << result.feature_points.size() << '\n';
   out << "Seconds: read " << result.seconds.read << ", eigenbasis " << result.seconds.eigenbasis

@@ -20,6 +20,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -48,7 +49,7 @@ first arc.)
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_samples}
-    \cgalParamDescription{the largest number of barycenters}
+    \cgalParamDescription{the largest number of barycenters; arcs of few vertices have fewer, half the square root of the number of vertices at most, so that a group reaches around the shape}
     \cgalParamType{an integer, not negative}
     \cgalParamDefault{`10`}
   \cgalParamNEnd
@@ -94,8 +95,11 @@ auto arc_polyline(typename boost::graph_traits<Graph>::edge_descriptor arc,
 
   std::vector<Point_3> polyline;
   polyline.push_back(get(vertex_point_map, nodes[lower].vertex));
+  // in a part of a tube that is as long as wide, n vertices make about sqrt(n) rings: smaller groups would
+  // not reach around
   const std::size_t groups =
-      (std::min)(static_cast<std::size_t>(number_of_samples), vertices.size());
+      (std::min)(static_cast<std::size_t>(number_of_samples),
+                 static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices.size())) / 2));
   for (std::size_t g = 0; g < groups; ++g) {
     const std::size_t begin = g * vertices.size() / groups;
     const std::size_t end = (g + 1) * vertices.size() / groups;
