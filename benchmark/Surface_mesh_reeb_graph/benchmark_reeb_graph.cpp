@@ -38,7 +38,7 @@ std::size_t live_bytes = 0, peak_bytes = 0;
 
 } // namespace
 
-void* operator new(std::size_t size)
+[[gnu::noinline]] void* operator new(std::size_t size)
 {
   void* const block = std::malloc(size);
   if (block == nullptr)
@@ -48,7 +48,7 @@ void* operator new(std::size_t size)
   return block;
 }
 
-void operator delete(void* block) noexcept
+[[gnu::noinline]] void operator delete(void* block) noexcept
 {
   live_bytes -= malloc_usable_size(block);
   std::free(block);

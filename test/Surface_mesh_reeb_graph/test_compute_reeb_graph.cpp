@@ -7,6 +7,9 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/isomorphism.hpp>
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -332,4 +335,33 @@ BOOST_AUTO_TEST_CASE(nan_is_an_error_that_names_the_vertex)
       });
   BOOST_TEST(num_vertices(graph) == nodes);
   BOOST_TEST(c.arcs[Vertex(3)] == arc_of_3);
+}
+
+// Debug or Release: an error, not a walk without end.
+BOOST_AUTO_TEST_CASE(other_faces_than_triangles_are_an_error)
+{
+  Case c(Index_mesh(), {});
+  std::vector<Vertex> corners;
+  for (int i = 0; i < 5; ++i)
+    corners.push_back(c.mesh.add_vertex(Mesh::Point(i % 2, i / 2, i)));
+  c.mesh.add_face(corners[0], corners[1], corners[3], corners[2]);
+  c.mesh.add_face(corners[1], corners[0], corners[4]);
+  Graph graph;
+  BOOST_CHECK_EXCEPTION(SMRG::compute_reeb_graph(c.mesh, c.values, graph),
+                        SMRG::Reeb_graph_error,
+                        [](const SMRG::Reeb_graph_error& error) {
+                          return std::string(error.what()).find("triangle") != std::string::npos;
+                        });
+}
+
+// Boost's algorithms must find Boost's functions for the graph, not those of CGAL's meshes.
+BOOST_AUTO_TEST_CASE(the_graph_is_a_boost_graph)
+{
+  std::mt19937 rng(7);
+  const Index_mesh mesh = closed_surface(2, 4, 4);
+  Case c(mesh, random_values(mesh.points.size(), rng));
+  const Graph graph = reeb_graph(c);
+  BOOST_TEST(boost::isomorphism(graph, graph));
+  std::vector<int> component(num_vertices(graph));
+  BOOST_TEST(boost::connected_components(graph, component.data()) == 1);
 }

@@ -14,12 +14,12 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Laplace_beltrami_matrices.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Mesh_components.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Shift_invert_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -134,7 +134,7 @@ public:
 
   \pre `CGAL::is_triangle_mesh(tmesh)`
 
-  \throws Reeb_graph_error if a coordinate is not a finite number, the whole surface has no area, the factorization
+  \throws Reeb_graph_error if a face is not a triangle, a coordinate is not a finite number, the whole surface has no area, the factorization
           fails, the eigensolver does not converge, or a residual is larger than the tolerance
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -145,7 +145,7 @@ public:
     using CGAL::parameters::choose_parameter;
     using CGAL::parameters::get_parameter;
 
-    CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
+    internal::check_triangles(tmesh);
 
     const auto number_of_eigenpairs = static_cast<long long>(
         internal::choose_own_parameter(np, internal::tags::number_of_eigenpairs, 50));

@@ -16,13 +16,12 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Sweep.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/sorted_vertices.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -137,7 +136,7 @@ and about 40 bytes per vertex while it runs if the vertices and halfedges of the
 
 \pre `CGAL::is_triangle_mesh(tmesh)`
 
-\throws Reeb_graph_error if a value is not a number, if the faces around a vertex form several closed fans, or
+\throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces around a vertex form several closed fans, or
         if the arcs cannot be numbered in the value type of the map; `graph` and the map are then left
         as they were
 
@@ -156,7 +155,7 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using CGAL::parameters::is_default_parameter;
 
-  CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
+  internal::check_triangles(tmesh);
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/farthest_pair.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 
 #include <Eigen/Core>

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_basic.h>

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_STAR_BLOCK_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Upper_level_set.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 

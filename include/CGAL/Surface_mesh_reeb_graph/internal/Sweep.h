@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/vertex_indices.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -7,9 +7,12 @@
 //
 // Author(s)     : The Surface_mesh_reeb_graph authors
 
-#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H
-#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_HELPERS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_HELPERS_H
 
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -39,6 +42,15 @@ bool has_no_edge(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v
   return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
+// On a mesh with other faces the walks along level sets would not end, and nobody finds that out from a
+// program that hangs: so this is checked in every build mode.
+template <class TriangleMesh>
+void check_triangles(const TriangleMesh& tmesh)
+{
+  if (!CGAL::is_triangle_mesh(tmesh))
+    throw Reeb_graph_error("the mesh has a face that is not a triangle");
+}
+
 template <class TriangleMesh, class Function>
 void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                        const TriangleMesh& tmesh,
@@ -54,4 +66,4 @@ void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descri
 } // namespace Surface_mesh_reeb_graph
 } // namespace CGAL
 
-#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTEX_INDICES_H
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_HELPERS_H
