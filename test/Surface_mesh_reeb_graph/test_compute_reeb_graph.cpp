@@ -19,8 +19,59 @@ using namespace Reeb_graph_test;
 
 namespace {
 
+using Face_map = Mesh::Property_map<Mesh::Face_index, std::size_t>;
+
+// Everything that compute_reeb_graph() gives, in a form that compares: nodes, ends of arcs, arcs of vertices
+// and of faces.
+using Everything = std::tuple<std::vector<std::size_t>,
+                              std::vector<std::pair<std::size_t, std::size_t>>,
+                              std::vector<std::size_t>,
+                              std::vector<std::size_t>>;
+
+template <class ConcurrencyTag>
+Everything everything(Case& c, const SMRG::Reeb_graph_algorithm algorithm, const bool unfolds)
+{
+  Graph graph;
+  Face_map face_arcs = c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:arc").first;
+  SMRG::compute_reeb_graph<ConcurrencyTag>(c.mesh,
+                                           c.values,
+                                           graph,
+                                           SMRG::parameters::vertex_arc_map(c.arcs)
+                                               .face_arc_map(face_arcs)
+                                               .unfold_multiple_saddles(unfolds)
+                                               .algorithm(algorithm));
+  Everything result;
+  for (const auto node : CGAL::make_range(vertices(graph)))
+    std::get<0>(result).push_back(graph[node].vertex);
+  for (const auto arc : CGAL::make_range(edges(graph)))
+    std::get<1>(result).emplace_back(source(arc, graph), target(arc, graph));
+  for (const Vertex v : c.mesh.vertices())
+    std::get<2>(result).push_back(c.arcs[v]);
+  for (const auto f : c.mesh.faces())
+    std::get<3>(result).push_back(face_arcs[f]);
+  return result;
+}
+
+using Tag = CGAL::Parallel_if_available_tag;
+
+// All algorithms give the same, down to the numbers of the arcs.
+void check_algorithms(Case& c, const bool unfolds)
+{
+  const Everything sweep =
+      everything<CGAL::Sequential_tag>(c, SMRG::Reeb_graph_algorithm::SWEEP, unfolds);
+  const Everything cutting =
+      everything<CGAL::Sequential_tag>(c, SMRG::Reeb_graph_algorithm::CUTTING, unfolds);
+  BOOST_TEST((std::get<0>(sweep) == std::get<0>(cutting)));
+  BOOST_TEST((std::get<1>(sweep) == std::get<1>(cutting)));
+  BOOST_TEST((std::get<2>(sweep) == std::get<2>(cutting)));
+  BOOST_TEST((std::get<3>(sweep) == std::get<3>(cutting)));
+  BOOST_TEST((everything<Tag>(c, SMRG::Reeb_graph_algorithm::CUTTING, unfolds) == cutting));
+}
+
 Graph reeb_graph(Case& c)
 {
+  check_algorithms(c, true);
+  check_algorithms(c, false);
   Graph graph;
   SMRG::compute_reeb_graph(
       c.mesh, c.values, graph, SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true));

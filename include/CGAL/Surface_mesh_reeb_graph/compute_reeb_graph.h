@@ -11,24 +11,31 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_COMPUTE_REEB_GRAPH_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Cutting.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Sweep.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/sorted_vertices.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
 
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -38,12 +45,14 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // Cancels the pairs of persistence zero, which only plateaus produce.
-template <class Vertex, class VertexIndexMap, class VertexOrder>
-void cancel_zero_persistence_pairs(Arc_list<Vertex>& list,
-                                   const std::vector<Vertex>& sorted_vertices,
+template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class VertexOrder>
+void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
+                                   const TriangleMesh& tmesh,
                                    VertexIndexMap vertex_index_map,
                                    const VertexOrder& order)
 {
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
   // only equality of values matters here: they are numbered in increasing order
   std::vector<double> values(list.nodes.size(), 0.);
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -54,23 +63,107 @@ void cancel_zero_persistence_pairs(Arc_list<Vertex>& list,
   cancellation.run([](const Extremum_pair&) { return false; });
   const Remaining_graph remaining = remaining_graph(cancellation, list.nodes.size());
 
-  std::uint32_t next_node = 0; // the first node that is not below the vertex
-  for (const Vertex v : sorted_vertices) {
-    if (next_node < list.nodes.size() && list.nodes[next_node] == v)
-      ++next_node;
-    std::uint32_t& arc = list.arc_of_vertex[get(vertex_index_map, v)];
-    if (arc != no_arc)
-      arc = remaining.position_of_arc[cancellation.arc_after(
-          arc, [&](std::uint32_t node) { return next_node <= node; })];
+  const auto arc_after = [&](std::uint32_t arc, vertex_descriptor v) {
+    return remaining.position_of_arc[cancellation.arc_after(
+        arc, [&](std::uint32_t node) { return order(v, list.nodes[node]); })];
+  };
+  if (!list.arc_of_vertex.empty()) {
+    for (const vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+      std::uint32_t& arc = list.arc_of_vertex[get(vertex_index_map, v)];
+      if (arc != no_arc)
+        arc = arc_after(arc, v);
+    }
   }
-  std::vector<Vertex> nodes;
+  for (auto& wedge : list.upper_wedges)
+    wedge.arc = arc_after(wedge.arc, target(wedge.halfedge, tmesh));
+
+  std::vector<vertex_descriptor> nodes;
   nodes.reserve(remaining.nodes.size());
-  for (std::size_t i = 0; i < remaining.nodes.size(); ++i) {
-    nodes.push_back(list.nodes[remaining.nodes[i]]);
-    list.arc_of_vertex[get(vertex_index_map, nodes.back())] = remaining.first_arc_of_node[i];
-  }
+  for (const std::uint32_t node : remaining.nodes)
+    nodes.push_back(list.nodes[node]);
   list.nodes = std::move(nodes);
   list.arcs = remaining.arcs;
+  if (!list.arc_of_vertex.empty())
+    list.set_arcs_of_nodes(vertex_index_map);
+}
+
+// Computes the Reeb graph as lists.
+template <class ConcurrencyTag,
+          class TriangleMesh,
+          class VertexOrder,
+          class VertexIndexMap,
+          class HalfedgeIndexMap>
+Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
+                                const VertexOrder& order,
+                                VertexIndexMap vertex_index_map,
+                                std::size_t index_bound,
+                                HalfedgeIndexMap halfedge_index_map,
+                                const Vertex_states& states,
+                                const Reeb_graph_request& request,
+                                Reeb_graph_algorithm algorithm)
+{
+  if (algorithm != Reeb_graph_algorithm::SWEEP) {
+    // so many steps of walks take less time than the sweep
+    const std::size_t budget = algorithm == Reeb_graph_algorithm::CUTTING
+                                   ? (std::numeric_limits<std::size_t>::max)()
+                                   : 8 * index_bound;
+    Arc_list<TriangleMesh> result;
+    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
+            tmesh, order, vertex_index_map, index_bound, states, request)
+            .run(budget, result))
+      return result;
+  }
+  return Sweep<TriangleMesh, VertexIndexMap, HalfedgeIndexMap>(
+             tmesh,
+             sorted_vertices<ConcurrencyTag>(tmesh, order),
+             vertex_index_map,
+             index_bound,
+             halfedge_index_map,
+             request)
+      .run();
+}
+
+// Writes the arcs of the faces: that of the middle vertex; if several arcs begin there, the one above it in
+// the wedge that the face's highest vertex belongs to.
+template <class TriangleMesh, class VertexIndexMap, class VertexOrder, class FaceArcMap>
+void write_face_arcs(const Arc_list<TriangleMesh>& list,
+                     const TriangleMesh& tmesh,
+                     VertexIndexMap vertex_index_map,
+                     const VertexOrder& order,
+                     FaceArcMap face_arc_map)
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using Number = typename boost::property_traits<FaceArcMap>::value_type;
+
+  for (const auto f : CGAL::make_range(faces(tmesh))) {
+    const auto v = middle_vertex(f, tmesh, order);
+    put(face_arc_map, f, static_cast<Number>(list.arc_of_vertex[get(vertex_index_map, v)]));
+  }
+  for (const auto& wedge : list.upper_wedges) {
+    const auto v = target(wedge.halfedge, tmesh);
+    const auto write = [&](halfedge_descriptor h) {
+      if (!is_border(h, tmesh) && middle_vertex(face(h, tmesh), tmesh, order) == v)
+        put(face_arc_map, face(h, tmesh), static_cast<Number>(wedge.arc));
+    };
+    // from the edge of the wedge in both directions; once around if there is nothing else
+    const auto follow = [&](const auto& next_edge) {
+      halfedge_descriptor h = wedge.halfedge;
+      do {
+        write(h);
+        write(opposite(h, tmesh));
+        h = next_edge(h);
+      } while (h != Graph_traits::null_halfedge() && h != wedge.halfedge &&
+               order(v, source(h, tmesh)));
+    };
+    follow([&](halfedge_descriptor h) {
+      return is_border(h, tmesh) ? Graph_traits::null_halfedge() : opposite(next(h, tmesh), tmesh);
+    });
+    follow([&](halfedge_descriptor h) {
+      return is_border(opposite(h, tmesh), tmesh) ? Graph_traits::null_halfedge()
+                                                  : prev(opposite(h, tmesh), tmesh);
+    });
+  }
 }
 
 } // namespace internal
@@ -143,7 +236,8 @@ and about 40 bytes per vertex while it runs if the vertices and halfedges of the
 \sa `simplify_reeb_graph()`
 \sa `commute_time_reeb_graph()`
 */
-template <class TriangleMesh,
+template <class ConcurrencyTag = CGAL::Sequential_tag,
+          class TriangleMesh,
           class VertexScalarMap,
           class MutableGraph,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -153,29 +247,56 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
                         const NamedParameters& np = CGAL::parameters::default_values())
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
+  constexpr bool has_vertex_arc_map =
+      !is_default_parameter<NamedParameters, internal::tags::vertex_arc_map_t>::value;
+  constexpr bool has_face_arc_map =
+      !is_default_parameter<NamedParameters, internal::tags::face_arc_map_t>::value;
 
-  internal::check_triangles(tmesh);
-
+  internal::check_concurrency_tag<ConcurrencyTag>();
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);
   using VIM = std::decay_t<decltype(vertex_index_map)>;
-  using HIM = std::decay_t<decltype(halfedge_index_map)>;
+  using Order = Vertex_order<TriangleMesh, VertexScalarMap, VIM>;
 
-  const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(tmesh, scalar_map, vertex_index_map);
-  const std::vector<vertex_descriptor> sorted_vertices =
-      internal::sorted_vertices(tmesh, order, vertex_index_map);
+  const std::size_t index_bound = internal::index_bound(tmesh, vertex_index_map);
+  internal::Vertex_states states(index_bound);
+  const bool has_no_plateaus = states.classify<ConcurrencyTag>(
+      tmesh, vertex_index_map, [&](vertex_descriptor v) { return get(scalar_map, v); });
+  const bool is_simple = has_no_plateaus && !states.has_faceless_edges();
+  const Order order = is_simple ? Order(scalar_map, vertex_index_map, internal::No_plateaus())
+                                : Order(tmesh, scalar_map, vertex_index_map);
+  if (!is_simple && !states.classify<ConcurrencyTag>(
+                        tmesh, vertex_index_map, [&](vertex_descriptor v) { return order.key(v); }))
+    throw Reeb_graph_error("the mesh has a face with the same vertex twice");
 
-  internal::Arc_list<vertex_descriptor> list =
-      internal::Sweep<TriangleMesh, VIM, HIM>(
-          tmesh, sorted_vertices, vertex_index_map, halfedge_index_map)
-          .run();
+  internal::Reeb_graph_request request;
+  request.unfolds =
+      internal::choose_own_parameter(np, internal::tags::unfold_multiple_saddles, false);
+  const bool collects_arc_vertices =
+      internal::choose_own_parameter(np, internal::tags::collect_arc_vertices, false);
+  request.has_vertex_arcs = has_vertex_arc_map || has_face_arc_map || collects_arc_vertices;
+  request.has_wedge_arcs = has_face_arc_map;
+  internal::Arc_list<TriangleMesh> list = internal::arc_list<ConcurrencyTag>(
+      tmesh,
+      order,
+      vertex_index_map,
+      index_bound,
+      CGAL::get_initialized_halfedge_index_map(tmesh),
+      states,
+      request,
+      choose_parameter(get_parameter(np, CGAL::internal_np::algorithm),
+                       Reeb_graph_algorithm::AUTOMATIC));
   if (order.has_plateaus())
-    internal::cancel_zero_persistence_pairs(list, sorted_vertices, vertex_index_map, order);
+    internal::cancel_zero_persistence_pairs<ConcurrencyTag>(list, tmesh, vertex_index_map, order);
 
-  if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_arc_map_t>::value)
+  if constexpr (has_vertex_arc_map)
     internal::check_arc_number_type(
         list.arcs.size(), internal::get_own_parameter(np, internal::tags::vertex_arc_map));
+  if constexpr (has_face_arc_map)
+    internal::check_arc_number_type(list.arcs.size(),
+                                    internal::get_own_parameter(np, internal::tags::face_arc_map));
 
   std::vector<internal::Node_bundle<MutableGraph>> nodes(list.nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -184,8 +305,8 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   }
   std::vector<internal::Arc_bundle<MutableGraph>> arcs(list.arcs.size());
   internal::number_and_classify(nodes, arcs, list.arcs);
-  if (internal::choose_own_parameter(np, internal::tags::collect_arc_vertices, false)) {
-    for (const vertex_descriptor v : sorted_vertices) {
+  if (collects_arc_vertices) {
+    for (const vertex_descriptor v : internal::sorted_vertices<ConcurrencyTag>(tmesh, order)) {
       const std::uint32_t arc = list.arc_of_vertex[get(vertex_index_map, v)];
       if (arc != internal::no_arc)
         arcs[arc].vertices.push_back(v);
@@ -193,11 +314,17 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   }
 
   internal::write_graph(graph, std::move(nodes), std::move(arcs), list.arcs);
-  if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_arc_map_t>::value) {
-    auto vertex_arc_map = internal::get_own_parameter(np, internal::tags::vertex_arc_map);
-    internal::write_arc_numbers(
-        sorted_vertices, vertex_index_map, list.arc_of_vertex, vertex_arc_map);
-  }
+  if constexpr (has_vertex_arc_map)
+    internal::write_arc_numbers(tmesh,
+                                vertex_index_map,
+                                list.arc_of_vertex,
+                                internal::get_own_parameter(np, internal::tags::vertex_arc_map));
+  if constexpr (has_face_arc_map)
+    internal::write_face_arcs(list,
+                              tmesh,
+                              vertex_index_map,
+                              order,
+                              internal::get_own_parameter(np, internal::tags::face_arc_map));
 }
 
 } // namespace Surface_mesh_reeb_graph

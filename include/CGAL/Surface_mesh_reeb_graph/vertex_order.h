@@ -31,6 +31,14 @@
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Says that all values are known to be numbers, and those of neighbors to be different.
+struct No_plateaus
+{
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
@@ -87,6 +95,47 @@ public:
       measure_plateaus(tmesh);
   }
 
+  /// \cond SKIP_IN_MANUAL
+
+  Vertex_order(VertexScalarMap scalar_map, VertexIndexMap vertex_index_map, internal::No_plateaus)
+    : m_scalar_map(scalar_map), m_vertex_index_map(vertex_index_map)
+  {}
+
+  // What the order compares, with the comparison.
+  struct Key
+  {
+    FT value;
+    std::uint32_t plateau_distance;
+    std::size_t index;
+
+    friend bool operator<(const Key& a, const Key& b)
+    {
+      if (a.value < b.value)
+        return true;
+      if (b.value < a.value)
+        return false;
+      if (a.plateau_distance != b.plateau_distance)
+        return a.plateau_distance < b.plateau_distance;
+      return a.index < b.index;
+    }
+  };
+
+  Key key(vertex_descriptor v) const
+  {
+    return {value(v), plateau_distance(v), static_cast<std::size_t>(get(m_vertex_index_map, v))};
+  }
+
+  void check_value(vertex_descriptor v) const
+  {
+    if (!CGAL::is_valid(value(v))) {
+      std::ostringstream message;
+      message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
+      throw Reeb_graph_error(message.str());
+    }
+  }
+
+  /// \endcond
+
   /// returns the value of `v`.
   FT value(vertex_descriptor v) const { return get(m_scalar_map, v); }
 
@@ -117,13 +166,8 @@ public:
 private:
   void check_values(const TriangleMesh& tmesh) const
   {
-    for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-      if (!CGAL::is_valid(value(v))) {
-        std::ostringstream message;
-        message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
-        throw Reeb_graph_error(message.str());
-      }
-    }
+    for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
+      check_value(v);
   }
 
   bool are_tied(vertex_descriptor u, vertex_descriptor v) const

@@ -10,6 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ARC_LIST_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ARC_LIST_H
 
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -26,13 +29,46 @@ struct Arc_ends
   std::uint32_t lower, upper; // positions in the list of nodes
 };
 
+// What a user wants of a Reeb graph.
+struct Reeb_graph_request
+{
+  bool unfolds = false;        // multiple saddles into simple ones
+  bool has_vertex_arcs = true; // fills Arc_list::arc_of_vertex
+  bool has_wedge_arcs = false; // fills Arc_list::upper_wedges
+};
+
 // A Reeb graph as plain lists: what the algorithms make, before it is written to the user's graph.
-template <class Vertex>
+template <class TriangleMesh>
 struct Arc_list
 {
-  std::vector<Vertex> nodes;  // the critical vertices in increasing order
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+
+  // The arc above a vertex in a wedge of upper edges, which an edge that points to the vertex stands for.
+  struct Upper_wedge
+  {
+    halfedge_descriptor halfedge;
+    std::uint32_t arc;
+  };
+
+  std::vector<vertex_descriptor> nodes; // the critical vertices in increasing order
   std::vector<Arc_ends> arcs; // by lower node, then by the lowest vertex above it that they lead to
   std::vector<std::uint32_t> arc_of_vertex; // by vertex index; no_arc if the vertex has no edge
+  std::vector<Upper_wedge> upper_wedges;    // of the vertices that several arcs begin at
+
+  // Gives the vertex of every node the first arc that begins there, or else the first that ends there. If
+  // several nodes have one vertex, the first node counts.
+  template <class VertexIndexMap>
+  void set_arcs_of_nodes(VertexIndexMap vertex_index_map)
+  {
+    std::vector<std::uint32_t> first_arc(nodes.size(), no_arc);
+    for (std::uint32_t a = static_cast<std::uint32_t>(arcs.size()); a-- > 0;)
+      first_arc[arcs[a].upper] = a;
+    for (std::uint32_t a = static_cast<std::uint32_t>(arcs.size()); a-- > 0;)
+      first_arc[arcs[a].lower] = a;
+    for (std::size_t i = nodes.size(); i-- > 0;)
+      arc_of_vertex[static_cast<std::size_t>(get(vertex_index_map, nodes[i]))] = first_arc[i];
+  }
 };
 
 } // namespace internal

@@ -12,7 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Level_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
@@ -31,82 +31,65 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Computes the Reeb graph by a sweep through the vertices in increasing order (after Parsa, "A
-// deterministic O(m log m) time algorithm for the Reeb graph", 2013, with walks along the level set in
-// the place of dynamic trees).
+// Computes the Reeb graph by a sweep through the vertices in increasing order (after Cole-McLaughlin,
+// Edelsbrunner, Harer, Natarajan, Pascucci, "Loops in Reeb graphs of 2-manifolds", 2003).
 //
-// Every crossed edge carries the number of the arc to which its component of the level set belonged
-// when the label was given. When an arc ends at a node, a union-find structure hands its labels on to
-// an arc that begins there: only the edges of the shorter components get new labels.
+// The components of the level set are sequences of crossed edges, which split and merge in logarithmic time: the
+// sweep takes O(n log n) time whatever the function and the surface. At a regular vertex the upper edges just take over
+// the places of the lower ones.
 template <class TriangleMesh, class VertexIndexMap, class HalfedgeIndexMap>
 class Sweep
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-
   using Star = Vertex_star<TriangleMesh>;
+  using Run = Level_sets::Run;
 
 public:
   // `order` holds all vertices in increasing order.
   Sweep(const TriangleMesh& tmesh,
         const std::vector<vertex_descriptor>& order,
         VertexIndexMap vertex_index_map,
-        HalfedgeIndexMap halfedge_index_map)
+        std::size_t index_bound,
+        HalfedgeIndexMap halfedge_index_map,
+        const Reeb_graph_request& request)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
     , m_halfedge_index_map(halfedge_index_map)
-    , m_rank(index_bound(tmesh, vertex_index_map))
+    , m_request(request)
+    , m_rank(index_bound)
     , m_are_halfedges_paired(are_halfedges_paired())
-    , m_label(m_are_halfedges_paired ? (halfedge_index_bound() + 1) / 2 : halfedge_index_bound(),
-              no_arc)
-    , m_stars(tmesh, has_border())
+    , m_element(m_are_halfedges_paired ? (halfedge_index_bound() + 1) / 2 : halfedge_index_bound(),
+                Sequences::none)
   {
     for (std::size_t i = 0; i < order.size(); ++i)
       m_rank[get(vertex_index_map, order[i])] = static_cast<std::uint32_t>(i);
-    m_result.arc_of_vertex.assign(m_rank.size(), no_arc);
+    if (request.has_vertex_arcs)
+      m_result.arc_of_vertex.assign(m_rank.size(), no_arc);
   }
 
-  Arc_list<vertex_descriptor> run()
+  Arc_list<TriangleMesh> run()
   {
-    for (std::size_t begin = 0; begin < m_order.size(); begin += m_stars.capacity) {
-      const std::size_t size = (std::min)(m_stars.capacity, m_order.size() - begin);
-      m_stars.read(m_order.data() + begin, size);
-      m_stars.find_upper_components(*this);
+    Star_block<TriangleMesh> stars;
+    std::size_t number_of_star_edges = 0;
+    for (std::size_t begin = 0; begin < m_order.size(); begin += stars.capacity) {
+      const std::size_t size = (std::min)(stars.capacity, m_order.size() - begin);
+      stars.read(m_order.data() + begin, size, m_tmesh);
       for (std::size_t i = 0; i < size; ++i) {
-        m_number_of_star_edges += m_stars[i].halfedges.size();
-        process(m_stars[i]);
+        number_of_star_edges += stars[i].halfedges.size();
+        const std::uint32_t level = static_cast<std::uint32_t>(begin + i);
+        stars[i].find_wedges(m_tmesh,
+                             [&](halfedge_descriptor h) { return level < rank_of_source(h); });
+        process(m_order[begin + i], stars[i]);
       }
     }
-    if (m_number_of_star_edges != number_of_halfedges())
-      throw_non_manifold();
+    if (number_of_star_edges != number_of_halfedges())
+      throw_several_fans();
+    if (m_request.has_vertex_arcs)
+      m_result.set_arcs_of_nodes(m_vertex_index_map);
     return std::move(m_result);
-  }
-
-  // What the block of stars asks: the position of a vertex in the order, ...
-  std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
-
-  // ... and the wedge of an upper edge of a vertex of the block. The edge belongs to no arc yet: until
-  // the vertex is processed, its label is the number of its wedge.
-  void set_wedge(halfedge_descriptor h, std::uint32_t wedge) { label(h) = wedge; }
-  std::uint32_t wedge(halfedge_descriptor h) { return label(h); }
-
-  // Whether two lower edges of a vertex of the block belong to different components, as far as the labels
-  // tell by now: those of edges from other vertices of the block are not known yet.
-  bool seem_apart(halfedge_descriptor h, halfedge_descriptor g)
-  {
-    const std::size_t arcs = m_result.arcs.size();
-    return label(h) < arcs && label(g) < arcs &&
-           m_arc_sets.root(label(h)) != m_arc_sets.root(label(g));
-  }
-
-  // A circulation sees one closed fan of faces around a vertex; if there are several, the data
-  // structure cannot show them all, and an edge of a vertex may be met that is not in its star.
-  [[noreturn]] static void throw_non_manifold()
-  {
-    throw Reeb_graph_error(
-        "the mesh is not a 2-manifold: the faces around a vertex form several fans");
   }
 
 private:
@@ -136,116 +119,178 @@ private:
     return true;
   }
 
-  bool has_border() const
-  {
-    for (auto h : CGAL::make_range(halfedges(m_tmesh)))
-      if (is_border(h, m_tmesh))
-        return true;
-    return false;
-  }
-
   std::size_t number_of_halfedges() const
   {
     const auto range = halfedges(m_tmesh);
     return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
   }
 
-  auto is_above(vertex_descriptor v) const
-  {
-    return [this, level = rank(v)](vertex_descriptor u) { return level < rank(u); };
-  }
+  std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
+  std::uint32_t rank_of_source(halfedge_descriptor h) const { return rank(source(h, m_tmesh)); }
 
-  std::uint32_t& label(halfedge_descriptor h)
+  // The element that the edge has in the sequence of its component while it is crossed.
+  std::uint32_t& element(halfedge_descriptor h)
   {
     const std::size_t i = halfedge_index(h);
-    return m_label[m_are_halfedges_paired ? i / 2
-                                          : (std::min)(i, halfedge_index(opposite(h, m_tmesh)))];
+    return m_element[m_are_halfedges_paired ? i / 2
+                                            : (std::min)(i, halfedge_index(opposite(h, m_tmesh)))];
   }
 
-  // The arc that the component of a crossed edge belongs to now.
-  std::uint32_t current_arc(halfedge_descriptor h)
+  std::uint32_t element_of_lower_edge(halfedge_descriptor h)
   {
-    if (label(h) == no_arc)
-      throw_non_manifold();
-    return label(h) = m_arc_sets.root(label(h));
+    const std::uint32_t result = element(h);
+    if (result == Sequences::none)
+      throw_several_fans();
+    return result;
   }
 
-  std::uint32_t begin_arc(std::uint32_t lower_node)
+  void process(vertex_descriptor v, Star& star)
   {
-    const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
-    m_result.arcs.push_back({lower_node, no_node});
-    m_arc_sets.add();
-    return arc;
+    if (star.number_of_wedges(false) == 1 && star.number_of_wedges(true) == 1) {
+      continue_arc(v, star);
+      return;
+    }
+    if (m_request.unfolds && star.number_of_simple_saddles() > 1) {
+      unfold(v, star);
+      return;
+    }
+    m_runs.clear();
+    for (const auto& wedge : star.wedges)
+      m_runs.push_back(run_of_wedge(star, wedge));
+    pass(v);
+    for (std::size_t i = 0; i < m_runs.size(); ++i)
+      set_elements(star, star.wedges[i], m_runs[i]);
+    if (m_is_branching)
+      add_upper_wedges(star, star.wedges.size());
   }
 
-  void process(Star& star)
+  void continue_arc(vertex_descriptor v, const Star& star)
   {
-    m_arcs_below.clear();
-    for (halfedge_descriptor h : star.lower_wedges)
-      m_arcs_below.push_back(current_arc(h));
-    std::sort(m_arcs_below.begin(), m_arcs_below.end());
-    m_arcs_below.erase(std::unique(m_arcs_below.begin(), m_arcs_below.end()), m_arcs_below.end());
-
-    if (star.may_merge)
-      m_stars.find_upper_components(star, m_arcs_below.size() == 2, *this);
-    if (m_arcs_below.size() == 1 && star.above.number_of_components() == 1)
-      continue_arc(star);
-    else
-      make_node(star);
+    const auto& lower = star.wedges[star.wedges[0].is_upper ? 1 : 0];
+    const auto& upper = star.wedges[star.wedges[0].is_upper ? 0 : 1];
+    m_elements.clear();
+    for (std::size_t i = lower.begin; i < lower.end; ++i)
+      m_elements.push_back(element_of_lower_edge(star.halfedges[i]));
+    if (m_request.has_vertex_arcs)
+      m_result.arc_of_vertex[get(m_vertex_index_map, v)] = m_level_sets.arc(m_elements.front());
+    m_level_sets.replace(m_elements, upper.end - upper.begin);
+    for (std::size_t i = upper.begin; i < upper.end; ++i)
+      element(star.halfedges[i]) = m_elements[i - upper.begin];
   }
 
-  void continue_arc(const Star& star)
+  Run run_of_wedge(const Star& star, const typename Star::Wedge& wedge)
   {
-    const std::uint32_t arc = m_arcs_below.front();
-    m_result.arc_of_vertex[get(m_vertex_index_map, star.vertex)] = arc;
-    for (halfedge_descriptor h : star.upper_edges)
-      label(h) = arc;
+    Run run = {};
+    run.is_upper = wedge.is_upper;
+    run.is_linked = wedge.is_linked;
+    run.size = wedge.end - wedge.begin;
+    if (wedge.is_upper) {
+      run.lowest = no_node;
+      for (std::size_t i = wedge.begin; i < wedge.end; ++i)
+        run.lowest = (std::min)(run.lowest, rank_of_source(star.halfedges[i]));
+    } else {
+      run.first = element_of_lower_edge(star.halfedges[wedge.begin]);
+      run.last = element_of_lower_edge(star.halfedges[wedge.end - 1]);
+    }
+    return run;
   }
 
-  void make_node(Star& star)
+  void set_elements(const Star& star, const typename Star::Wedge& wedge, const Run& run)
   {
+    if (wedge.is_upper)
+      for (std::size_t i = wedge.begin; i < wedge.end; ++i)
+        element(star.halfedges[i]) = run.elements[i - wedge.begin];
+  }
+
+  // Lets the level rise past the runs, which makes a node unless one component goes in and one comes out.
+  void pass(vertex_descriptor v)
+  {
+    m_level_sets.pass(m_runs, m_arcs_below);
+    m_is_branching = false;
+    if (m_arcs_below.size() == 1 && m_level_sets.components.size() == 1) {
+      if (m_request.has_vertex_arcs)
+        m_result.arc_of_vertex[get(m_vertex_index_map, v)] = m_arcs_below.front();
+      m_level_sets.set_arc(m_level_sets.components.front(), m_arcs_below.front());
+      return;
+    }
     const std::uint32_t node = static_cast<std::uint32_t>(m_result.nodes.size());
-    m_result.nodes.push_back(star.vertex);
-    for (std::uint32_t arc : m_arcs_below)
+    m_result.nodes.push_back(v);
+    for (const std::uint32_t arc : m_arcs_below)
       m_result.arcs[arc].upper = node;
+    for (const Level_sets::Component& component : m_level_sets.components) {
+      m_level_sets.set_arc(component, static_cast<std::uint32_t>(m_result.arcs.size()));
+      m_result.arcs.push_back({node, no_node});
+    }
+    m_is_branching = m_request.has_wedge_arcs && m_level_sets.components.size() > 1;
+  }
 
-    std::uint32_t first_arc = m_arcs_below.empty() ? no_arc : m_arcs_below.front();
-    m_arcs_above.clear();
-    for (std::size_t i = 0; i < star.above.number_of_components(); ++i) {
-      const std::uint32_t arc = begin_arc(node);
-      m_arcs_above.push_back(arc);
-      if (i == 0)
-        first_arc = arc;
-      if (star.above.is_longest(i)) {
-        for (std::uint32_t below : m_arcs_below)
-          m_arc_sets.join(below, arc);
+  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
+  // across U1 to one strand that passes by the vertex, and so on; what passes by the last one is Uk.
+  void unfold(vertex_descriptor v, Star& star)
+  {
+    star.begin_at_lowest_vertex(
+        m_tmesh, [this](vertex_descriptor u, vertex_descriptor w) { return rank(u) < rank(w); });
+    const std::size_t number = star.number_of_simple_saddles();
+    Run strand = run_of_wedge(star, star.wedges[0]);
+    for (std::size_t i = 1; i <= number; ++i) {
+      m_runs.clear();
+      m_runs.push_back(strand);
+      m_runs.push_back(run_of_wedge(star, star.wedges[2 * i - 1]));
+      m_runs.push_back(run_of_wedge(star, star.wedges[2 * i]));
+      if (i < number) {
+        Run passing = {};
+        passing.is_upper = passing.is_linked = true;
+        passing.size = 1;
+        passing.lowest = rank(v); // the next saddle
+        m_runs.push_back(passing);
       } else {
-        star.above.for_each_edge(
-            i, star.vertex, is_above(star.vertex), [&](halfedge_descriptor h) { label(h) = arc; });
+        m_runs.push_back(run_of_wedge(star, star.wedges.back()));
+      }
+      pass(v);
+      set_elements(star, star.wedges[2 * i - 1], m_runs[1]);
+      if (i < number) {
+        strand.first = strand.last = m_runs[3].elements.front();
+        strand.is_linked = true;
+      } else {
+        set_elements(star, star.wedges.back(), m_runs[3]);
+      }
+      if (m_request.has_wedge_arcs) {
+        add_upper_wedge(star, 2 * i - 1);
+        if (i == number)
+          add_upper_wedge(star, 2 * i + 1);
       }
     }
-    // the labels of the upper edges are still the numbers of their wedges
-    for (halfedge_descriptor h : star.upper_edges)
-      label(h) = m_arcs_above[star.above.component_of_wedge(label(h))];
+  }
 
-    m_result.arc_of_vertex[get(m_vertex_index_map, star.vertex)] = first_arc;
+  void add_upper_wedges(const Star& star, std::size_t number_of_wedges)
+  {
+    for (std::size_t w = 0; w < number_of_wedges; ++w)
+      if (star.wedges[w].is_upper)
+        add_upper_wedge(star, w);
+  }
+
+  void add_upper_wedge(const Star& star, std::size_t wedge)
+  {
+    const halfedge_descriptor h = star.halfedges[star.wedges[wedge].begin];
+    m_result.upper_wedges.push_back({h, m_level_sets.arc(element(h))});
   }
 
   const TriangleMesh& m_tmesh;
   const std::vector<vertex_descriptor>& m_order;
   VertexIndexMap m_vertex_index_map;
   HalfedgeIndexMap m_halfedge_index_map;
+  const Reeb_graph_request m_request;
   std::vector<std::uint32_t> m_rank; // by vertex index
   bool m_are_halfedges_paired;
-  std::vector<std::uint32_t> m_label; // of the edges, by the indices of their halfedges
-  Number_sets m_arc_sets; // arcs that have ended, with the arc that has their labels now
-  Arc_list<vertex_descriptor> m_result;
-  std::size_t m_number_of_star_edges = 0;
+  std::vector<std::uint32_t> m_element; // of the edges, by the indices of their halfedges
+  Level_sets m_level_sets;
+  Arc_list<TriangleMesh> m_result;
 
-  Star_block<TriangleMesh> m_stars;
   // Members, so that no vertex allocates.
+  bool m_is_branching = false;
+  std::vector<Run> m_runs;
+  std::vector<std::uint32_t> m_elements;
   std::vector<std::uint32_t> m_arcs_below;
-  std::vector<std::uint32_t> m_arcs_above;
 };
 
 } // namespace internal

@@ -42,8 +42,15 @@ bool has_no_edge(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v
   return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
-// On a mesh with other faces the walks along level sets would not end, and nobody finds that out from a
-// program that hangs: so this is checked in every build mode.
+// A circulation sees one closed fan of faces around a vertex. If there are several, the data structure cannot
+// show them all, and sooner or later something does not fit.
+[[noreturn]] inline void throw_several_fans()
+{
+  throw Reeb_graph_error(
+      "the mesh is not a 2-manifold: the faces around a vertex form several fans");
+}
+
+// Checked in every build mode: what follows may not end, or read outside of arrays.
 template <class TriangleMesh>
 void check_triangles(const TriangleMesh& tmesh)
 {
@@ -60,6 +67,21 @@ void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descri
     return;
   for (auto h : CGAL::halfedges_around_target(v, tmesh))
     function(source(h, tmesh));
+}
+
+// The middle one of the vertices of a face.
+template <class TriangleMesh, class Less>
+typename boost::graph_traits<TriangleMesh>::vertex_descriptor
+middle_vertex(typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+              const TriangleMesh& tmesh,
+              const Less& less)
+{
+  const auto h = halfedge(f, tmesh);
+  const auto u = source(h, tmesh), v = target(h, tmesh), w = target(next(h, tmesh), tmesh);
+  const bool is_u_below_v = less(u, v), is_v_below_w = less(v, w);
+  if (is_u_below_v == is_v_below_w)
+    return v;
+  return less(w, u) == is_u_below_v ? u : w;
 }
 
 } // namespace internal

@@ -24,3 +24,7 @@ CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, thresho
 CGAL_add_named_parameter(vertex_value_map_t, vertex_value_map, vertex_value_map)
 CGAL_add_named_parameter(vertex_arc_map_t, vertex_arc_map, vertex_arc_map)
 CGAL_add_named_parameter(collect_arc_vertices_t, collect_arc_vertices, collect_arc_vertices)
+CGAL_add_named_parameter(face_arc_map_t, face_arc_map, face_arc_map)
+CGAL_add_named_parameter(unfold_multiple_saddles_t,
+                         unfold_multiple_saddles,
+                         unfold_multiple_saddles)

@@ -10,49 +10,48 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SORTED_VERTICES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SORTED_VERTICES_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// All vertices in increasing order. The keys of the order are copied beside the vertices: sorting
-// through property maps would miss the cache at every comparison.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+// All vertices in increasing order. The values are copied beside the vertices: sorting through property maps
+// would miss the cache at every comparison.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-sorted_vertices(const TriangleMesh& tmesh,
-                const VertexOrder& order,
-                VertexIndexMap vertex_index_map)
+sorted_vertices(const TriangleMesh& tmesh, const VertexOrder& order)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using FT = typename VertexOrder::FT;
 
   struct Keyed_vertex
   {
-    FT value;
-    std::uint32_t plateau_distance;
+    typename VertexOrder::FT value;
     vertex_descriptor vertex;
   };
 
   std::vector<Keyed_vertex> keyed;
   keyed.reserve(num_vertices(tmesh));
-  for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
-    keyed.push_back({order.value(v), order.plateau_distance(v), v});
-  std::sort(keyed.begin(), keyed.end(), [&](const Keyed_vertex& a, const Keyed_vertex& b) {
-    if (a.value < b.value)
-      return true;
-    if (b.value < a.value)
-      return false;
-    if (a.plateau_distance != b.plateau_distance)
-      return a.plateau_distance < b.plateau_distance;
-    return get(vertex_index_map, a.vertex) < get(vertex_index_map, b.vertex);
-  });
+  for (const vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+    if (has_no_edge(v, tmesh))
+      order.check_value(v); // all others are checked by the comparisons
+    keyed.push_back({order.value(v), v});
+  }
+  sort<ConcurrencyTag>(
+      keyed.begin(), keyed.end(), [&](const Keyed_vertex& a, const Keyed_vertex& b) {
+        if (a.value < b.value)
+          return true;
+        if (b.value < a.value)
+          return false;
+        return order(a.vertex, b.vertex);
+      });
 
   std::vector<vertex_descriptor> result;
   result.reserve(keyed.size());

@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 
+#include <CGAL/boost/graph/iterator.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -91,14 +93,14 @@ void check_arc_number_type(std::size_t number_of_arcs, const VertexArcMap&)
 }
 
 // Writes the number of every vertex's arc to the user's map.
-template <class Vertex, class VertexIndexMap, class VertexArcMap>
-void write_arc_numbers(const std::vector<Vertex>& vertices,
+template <class TriangleMesh, class VertexIndexMap, class VertexArcMap>
+void write_arc_numbers(const TriangleMesh& tmesh,
                        VertexIndexMap vertex_index_map,
                        const std::vector<std::uint32_t>& arc_of_vertex,
                        VertexArcMap vertex_arc_map)
 {
   using Number = typename boost::property_traits<VertexArcMap>::value_type;
-  for (const Vertex v : vertices) {
+  for (const auto v : CGAL::make_range(vertices(tmesh))) {
     const std::uint32_t arc = arc_of_vertex[get(vertex_index_map, v)];
     put(vertex_arc_map, v, static_cast<Number>(arc == no_arc ? null_arc : std::size_t(arc)));
   }

@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CRITICAL_NODES_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CRITICAL_NODES_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_star.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// The vertices that may be critical, as nodes, and for every wedge of theirs a node in the component of the
+// sublevel (or superlevel) set that it leads to: the end of a monotone path. Nodes have numbers in the order of the
+// mesh; `sequence` has them in the order of the vertices. On demand a multiple saddle is unfolded: it becomes
+// several nodes with the same vertex and successive numbers, which are simple saddles.
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+struct Critical_nodes
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Star = Vertex_star<TriangleMesh>;
+
+  std::size_t size() const { return vertex.size(); }
+
+  // The first of the nodes that a multiple saddle is unfolded into.
+  std::uint32_t first_of_vertex(std::uint32_t node) const
+  {
+    while (node > 0 && vertex[node - 1] == vertex[node])
+      --node;
+    return node;
+  }
+
+  bool is_unfolded(std::uint32_t node) const
+  {
+    return (node > 0 && vertex[node - 1] == vertex[node]) ||
+           (node + 1 < size() && vertex[node + 1] == vertex[node]);
+  }
+
+  std::vector<vertex_descriptor> vertex;
+  std::vector<std::uint32_t> sequence;
+  // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
+  std::vector<std::uint32_t> lower_begin, upper_begin;
+  std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
+  // the first edges of the upper wedges in the order of their lowest vertices; null for the way to the next
+  // node of the same vertex
+  std::vector<halfedge_descriptor> upper_halfedge;
+};
+
+// Finds the critical nodes.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
+class Critical_node_finder
+{
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using vertex_descriptor = typename Nodes::vertex_descriptor;
+  using halfedge_descriptor = typename Nodes::halfedge_descriptor;
+  using Paths = typename Nodes::Paths;
+  using Star = typename Nodes::Star;
+  using Marks = Cut_marks<TriangleMesh>;
+
+public:
+  Critical_node_finder(const TriangleMesh& tmesh,
+                       const VertexOrder& order,
+                       VertexIndexMap vertex_index_map,
+                       const Vertex_states& states,
+                       bool unfolds)
+    : m_tmesh(tmesh)
+    , m_order(order)
+    , m_vertex_index_map(vertex_index_map)
+    , m_states(states)
+    , m_unfolds(unfolds)
+  {}
+
+  void find(Nodes& nodes, Paths& descents, Paths& ascents) const
+  {
+    list_nodes(nodes, descents, ascents);
+    for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
+      Star star;
+      const Marks no_marks;
+      for (std::size_t i = begin; i < end; ++i)
+        read_wedges(nodes, static_cast<std::uint32_t>(i), star, descents, ascents, no_marks);
+    });
+    sort(nodes);
+  }
+
+  // Finds the ends of the upward paths again, when there are cuts.
+  void follow_ascents(Nodes& nodes, Paths& ascents, const Marks& marks) const
+  {
+    ascents.forget();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes.upper_begin[i] == nodes.upper_begin[i + 1])
+        ascents.set_end(nodes.vertex[i], static_cast<std::uint32_t>(i));
+    for_each_range<ConcurrencyTag>(nodes.upper_end.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t w = begin; w < end; ++w)
+        if (nodes.upper_halfedge[w] != null_halfedge())
+          nodes.upper_end[w] = end_of_upper_wedge(nodes.upper_halfedge[w], ascents, marks);
+    });
+  }
+
+private:
+  static halfedge_descriptor null_halfedge()
+  {
+    return boost::graph_traits<TriangleMesh>::null_halfedge();
+  }
+
+  std::size_t index(vertex_descriptor v) const
+  {
+    return static_cast<std::size_t>(get(m_vertex_index_map, v));
+  }
+
+  void find_wedges(vertex_descriptor v, Star& star) const
+  {
+    star.read(v, m_tmesh);
+    star.find_wedges(m_tmesh,
+                     [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
+  }
+
+  void list_nodes(Nodes& nodes, Paths& descents, Paths& ascents) const
+  {
+    nodes.lower_begin.push_back(0);
+    nodes.upper_begin.push_back(0);
+    Star star;
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh))) {
+      const std::size_t i = index(v);
+      if (m_states.is_regular(i))
+        continue;
+      std::size_t lower = m_states.number_of_changes(i) / 2, upper = lower;
+      std::size_t number = 1;
+      if (m_states.is_extremum(i) && !has_no_edge(v, m_tmesh)) {
+        (m_order(v, source(halfedge(v, m_tmesh), m_tmesh)) ? upper : lower) = 1;
+      } else if (m_states.is_on_border(i) || lower == 0 ||
+                 !m_states.is_number_of_changes_exact(i) || (m_unfolds && lower > 2))
+      {
+        if (has_no_edge(v, m_tmesh))
+          m_order.check_value(v); // all others are checked by the comparisons
+        find_wedges(v, star);
+        lower = star.number_of_wedges(false);
+        upper = star.number_of_wedges(true);
+        if (lower == 1 && upper == 1)
+          continue;
+        if (m_unfolds)
+          number = star.number_of_simple_saddles();
+      }
+      const std::uint32_t node = static_cast<std::uint32_t>(nodes.size());
+      if (lower == 0)
+        descents.set_end(v, node);
+      if (upper == 0)
+        ascents.set_end(v, node);
+      for (std::size_t k = 0; k < number; ++k) {
+        nodes.vertex.push_back(v);
+        nodes.lower_begin.push_back(nodes.lower_begin.back() +
+                                    static_cast<std::uint32_t>(number > 1 ? 2 : lower));
+        nodes.upper_begin.push_back(nodes.upper_begin.back() +
+                                    static_cast<std::uint32_t>(number > 1 ? 2 : upper));
+      }
+    }
+    nodes.lower_end.resize(nodes.lower_begin.back());
+    nodes.upper_end.resize(nodes.upper_begin.back());
+    nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
+  }
+
+  std::uint32_t end_of_upper_wedge(halfedge_descriptor h, Paths& ascents, const Marks& marks) const
+  {
+    const std::uint32_t leaf = marks.leaf(index(target(h, m_tmesh)), h);
+    return leaf != no_node ? leaf : ascents.end(source(h, m_tmesh), marks);
+  }
+
+  void read_wedges(Nodes& nodes,
+                   std::uint32_t node,
+                   Star& star,
+                   Paths& descents,
+                   Paths& ascents,
+                   const Marks& no_marks) const
+  {
+    if (nodes.is_unfolded(node)) {
+      if (nodes.first_of_vertex(node) == node)
+        read_unfolded_wedges(nodes, node, star, descents, ascents, no_marks);
+      return;
+    }
+    find_wedges(nodes.vertex[node], star);
+    std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
+    // the passes over the faces may have seen more than one fan
+    if (star.number_of_wedges(false) != nodes.lower_begin[node + 1] - lower ||
+        star.number_of_wedges(true) != nodes.upper_begin[node + 1] - upper)
+      throw_several_fans();
+    for (const auto& wedge : star.wedges)
+      if (!wedge.is_upper)
+        nodes.lower_end[lower++] =
+            descents.end(source(star.halfedges[wedge.begin], m_tmesh), no_marks);
+
+    std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
+    const bool sorts = nodes.upper_begin[node + 1] - upper > 1;
+    for (const auto& wedge : star.wedges) {
+      if (!wedge.is_upper)
+        continue;
+      const halfedge_descriptor h = star.halfedges[wedge.begin];
+      if (sorts)
+        upper_wedges.emplace_back(source(star.lowest_edge(wedge, m_tmesh, m_order), m_tmesh), h);
+      else
+        add_upper_wedge(nodes, upper, h, ascents, no_marks);
+    }
+    std::sort(upper_wedges.begin(), upper_wedges.end(), [&](const auto& a, const auto& b) {
+      return m_order(a.first, b.first);
+    });
+    for (const auto& wedge : upper_wedges)
+      add_upper_wedge(nodes, upper, wedge.second, ascents, no_marks);
+  }
+
+  void add_upper_wedge(Nodes& nodes,
+                       std::uint32_t& upper,
+                       halfedge_descriptor h,
+                       Paths& ascents,
+                       const Marks& marks) const
+  {
+    nodes.upper_halfedge[upper] = h;
+    nodes.upper_end[upper] = end_of_upper_wedge(h, ascents, marks);
+    ++upper;
+  }
+
+  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
+  // across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i + 1) across U(i); what
+  // passes by the last one is Uk.
+  void read_unfolded_wedges(Nodes& nodes,
+                            std::uint32_t first,
+                            Star& star,
+                            Paths& descents,
+                            Paths& ascents,
+                            const Marks& no_marks) const
+  {
+    find_wedges(nodes.vertex[first], star);
+    star.begin_at_lowest_vertex(m_tmesh, m_order);
+    const auto edge = [&](std::size_t wedge) { return star.halfedges[star.wedges[wedge].begin]; };
+    const auto lowest = [&](std::size_t wedge) {
+      return source(star.lowest_edge(star.wedges[wedge], m_tmesh, m_order), m_tmesh);
+    };
+    const std::size_t number = star.number_of_simple_saddles(), k = number + 1;
+    for (std::size_t i = 1; i <= number; ++i) {
+      const std::uint32_t node = first + static_cast<std::uint32_t>(i - 1);
+      std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
+      nodes.lower_end[lower++] =
+          i > 1 ? node - 1 : descents.end(source(edge(0), m_tmesh), no_marks);
+      nodes.lower_end[lower] = descents.end(source(edge(2 * i), m_tmesh), no_marks);
+      if (i < number) {
+        nodes.upper_end[upper++] = node + 1;
+        add_upper_wedge(nodes, upper, edge(2 * i - 1), ascents, no_marks);
+      } else {
+        const bool is_last_lower = m_order(lowest(2 * k - 1), lowest(2 * k - 3));
+        add_upper_wedge(
+            nodes, upper, edge(is_last_lower ? 2 * k - 1 : 2 * k - 3), ascents, no_marks);
+        add_upper_wedge(
+            nodes, upper, edge(is_last_lower ? 2 * k - 3 : 2 * k - 1), ascents, no_marks);
+      }
+    }
+  }
+
+  // The values are copied beside the nodes: reading them through property maps would miss the cache at
+  // every comparison.
+  void sort(Nodes& nodes) const
+  {
+    struct Keyed_node
+    {
+      typename VertexOrder::FT value;
+      std::uint32_t node;
+    };
+    std::vector<Keyed_node> keyed;
+    keyed.reserve(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      keyed.push_back({m_order.value(nodes.vertex[i]), static_cast<std::uint32_t>(i)});
+    internal::sort<ConcurrencyTag>(
+        keyed.begin(), keyed.end(), [&](const Keyed_node& a, const Keyed_node& b) {
+          if (a.value < b.value)
+            return true;
+          if (b.value < a.value)
+            return false;
+          const vertex_descriptor u = nodes.vertex[a.node], v = nodes.vertex[b.node];
+          return u == v ? a.node < b.node : m_order(u, v);
+        });
+    nodes.sequence.reserve(keyed.size());
+    for (const Keyed_node& k : keyed)
+      nodes.sequence.push_back(k.node);
+  }
+
+  const TriangleMesh& m_tmesh;
+  const VertexOrder& m_order;
+  VertexIndexMap m_vertex_index_map;
+  const Vertex_states& m_states;
+  const bool m_unfolds;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CRITICAL_NODES_H

@@ -1,0 +1,400 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CUTTING_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CUTTING_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Critical_nodes.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Leaf_pruning.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_cuts.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Computes the Reeb graph without sorting the vertices.
+//
+// 1. From every wedge of the critical vertices a monotone path leads to a minimum (maximum). With these, a
+//    pass over the critical vertices in increasing (decreasing) order tells how the components of the
+//    sublevel (superlevel) sets merge (Chiang, Lenz, Lu, Rote, "Simple and optimal output-sensitive
+//    construction of contour trees using monotone paths", 2005).
+// 2. Without loops, the Reeb graph follows from these two forests (see Leaf_pruning). A loop is closed where two
+//    components of a level set meet that belong to one component of the sublevel set. Where that may be (a simple
+//    saddle at which neither forest merges anything, for example: on a closed surface of genus g these are 2 g)
+//    walks along the level set find out, and the surface is cut along the shorter component: then there are no
+//    loops, and every cut becomes a leaf of the graph whose arc is led to the saddle of the cut in the end.
+//
+// Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget bounds.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
+class Cutting
+{
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Cuts = Loop_cuts<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Paths = typename Nodes::Paths;
+  using vertex_descriptor = typename Nodes::vertex_descriptor;
+
+public:
+  Cutting(const TriangleMesh& tmesh,
+          const VertexOrder& order,
+          VertexIndexMap vertex_index_map,
+          std::size_t index_bound,
+          const Vertex_states& states,
+          const Reeb_graph_request& request)
+    : m_tmesh(tmesh)
+    , m_order(order)
+    , m_vertex_index_map(vertex_index_map)
+    , m_index_bound(index_bound)
+    , m_states(states)
+    , m_request(request)
+  {}
+
+  // Returns false if the walks would take more than `budget` steps.
+  bool run(std::size_t budget, Arc_list<TriangleMesh>& result)
+  {
+    const Finder finder(m_tmesh, m_order, m_vertex_index_map, m_states, m_request.unfolds);
+    Paths descents = paths(BELOW), ascents = paths(ABOVE);
+    finder.find(m_nodes, descents, ascents);
+
+    Merge_forest sublevel_forest, superlevel_forest;
+    invoke_both<ConcurrencyTag>(
+        [&]() {
+          merge(m_nodes.sequence.begin(),
+                m_nodes.sequence.end(),
+                m_nodes.size(),
+                m_nodes.lower_begin,
+                m_nodes.lower_end,
+                sublevel_forest);
+        },
+        [&]() {
+          merge(m_nodes.sequence.rbegin(),
+                m_nodes.sequence.rend(),
+                m_nodes.size(),
+                m_nodes.upper_begin,
+                m_nodes.upper_end,
+                superlevel_forest);
+        });
+
+    Cuts cuts(m_tmesh, m_order, m_vertex_index_map, m_nodes, m_states.has_border(), budget);
+    const std::vector<bool> may_have_loops =
+        nodes_that_may_have_loops(sublevel_forest, superlevel_forest, ascents);
+    if (!may_have_loops.empty()) {
+      if (!cuts.run([&](std::uint32_t node) { return may_have_loops[node]; }, sublevel_forest))
+        return false;
+      cuts.marks.sort(m_index_bound);
+      if (!cuts.marks.empty()) {
+        finder.follow_ascents(m_nodes, ascents, cuts.marks);
+        merge(cuts.sequence.rbegin(),
+              cuts.sequence.rend(),
+              cuts.sequence.size(),
+              m_nodes.upper_begin,
+              m_nodes.upper_end,
+              superlevel_forest);
+      }
+    }
+    const std::vector<std::uint32_t>& sequence =
+        cuts.sequence.empty() ? m_nodes.sequence : cuts.sequence;
+
+    if (m_request.has_vertex_arcs)
+      locate_vertices(sequence, cuts, sublevel_forest, superlevel_forest, descents, ascents);
+    m_number_below.resize(m_nodes.size());
+    m_number_above.resize(m_nodes.size());
+    for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
+      m_number_below[node] = sublevel_forest.degree(node);
+      m_number_above[node] = superlevel_forest.degree(node);
+    }
+    for (const std::uint32_t saddle : cuts.saddles)
+      ++m_number_below[saddle];
+
+    if (m_request.has_wedge_arcs) // the pruning changes the positions
+      for (std::uint32_t& end : m_nodes.upper_end)
+        end = superlevel_forest.position(end);
+
+    Leaf_pruning pruning(sublevel_forest, superlevel_forest);
+    pruning.run(sequence,
+                [&](std::uint32_t node) { return !cuts.is_leaf(node) && is_regular(node); });
+    write(sequence, cuts, pruning, result);
+    return true;
+  }
+
+private:
+  Paths paths(Side side) const
+  {
+    return Paths(side, m_tmesh, m_order, m_vertex_index_map, m_index_bound);
+  }
+
+  bool is_regular(std::uint32_t node) const
+  {
+    return m_number_below[node] == 1 && m_number_above[node] == 1;
+  }
+
+  // Makes a forest: visits the nodes in the given order and merges the components that their wedges lead to.
+  // The end of every wedge becomes the last node of its component, the child that the component has in the forest.
+  template <class Iterator>
+  void merge(Iterator begin,
+             Iterator end,
+             std::size_t number_of_nodes,
+             const std::vector<std::uint32_t>& wedge_begin,
+             std::vector<std::uint32_t>& wedge_end,
+             Merge_forest& forest) const
+  {
+    forest.clear(number_of_nodes);
+    Number_sets components(number_of_nodes); // the last node visited is the root
+    for (Iterator i = begin; i != end; ++i) {
+      const std::uint32_t node = *i;
+      if (node >= m_nodes.size())
+        continue; // the leaf of a cut, a component of its own
+      for (std::uint32_t w = wedge_begin[node]; w < wedge_begin[node + 1]; ++w)
+        wedge_end[w] = components.root(wedge_end[w]);
+      for (std::uint32_t w = wedge_begin[node]; w < wedge_begin[node + 1]; ++w) {
+        const std::uint32_t component = wedge_end[w];
+        if (forest.parent(component) == node)
+          continue;
+        forest.attach(component, node);
+        components.join(component, node);
+      }
+    }
+  }
+
+  // Below which nodes two components of the level set may belong to the same component of the sublevel set,
+  // as far as the forests tell. Empty if there are none.
+  //
+  // Let a vertex in the interior have k lower and k upper wedges; around it they take turns, and the level sets
+  // below and above it are the same elsewhere. Closed components make at most k + 1 together, below and
+  // above. The sublevel and superlevel sets have no more of them: if they have as many, all of them are apart.
+  // A component that ends on the border changes nothing as long as there is one at most.
+  std::vector<bool> nodes_that_may_have_loops(const Merge_forest& sublevel_forest,
+                                              const Merge_forest& superlevel_forest,
+                                              Paths& ascents) const
+  {
+    std::vector<bool> result;
+    std::vector<std::uint32_t> open_above;
+    if (m_states.has_border())
+      open_above = number_of_open_components_above(superlevel_forest, ascents);
+    for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
+      const std::uint32_t lower = m_nodes.lower_begin[node + 1] - m_nodes.lower_begin[node];
+      const std::uint32_t upper = m_nodes.upper_begin[node + 1] - m_nodes.upper_begin[node];
+      const std::uint32_t below = sublevel_forest.degree(node),
+                          above = superlevel_forest.degree(node);
+      if (below == lower)
+        continue;
+      const bool is_interior = !m_states.is_on_border(index(node));
+      const bool has_open_end_at_most =
+          open_above.empty() || open_above[node] == 0 || (open_above[node] == 1 && above == upper);
+      if (is_interior && below + above == lower + 1 && has_open_end_at_most)
+        continue;
+      if (result.empty())
+        result.resize(m_nodes.size(), false);
+      result[node] = true;
+    }
+    return result;
+  }
+
+  // How many of the components of the superlevel set that merge at a node touch the border, or may do so.
+  std::vector<std::uint32_t>
+  number_of_open_components_above(const Merge_forest& forest, Paths& ascents) const
+  {
+    std::vector<bool> touches_border(m_nodes.size(), false);
+    const Cut_marks<TriangleMesh> no_marks;
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
+      if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))) ||
+          m_states.has_faceless_edges())
+        if (!has_no_edge(v, m_tmesh))
+          touches_border[ascents.end(v, no_marks)] = true;
+    std::vector<std::uint32_t> result(m_nodes.size(), 0);
+    for (auto node = m_nodes.sequence.rbegin(); node != m_nodes.sequence.rend(); ++node) {
+      const std::uint32_t parent = forest.parent(*node);
+      if (result[*node] > 0)
+        touches_border[*node] = true;
+      if (parent != no_node && touches_border[*node])
+        ++result[parent];
+    }
+    return result;
+  }
+
+  std::size_t index(std::uint32_t node) const
+  {
+    return static_cast<std::size_t>(get(m_vertex_index_map, m_nodes.vertex[node]));
+  }
+
+  // For every vertex the last node below in its component of the sublevel set and the first one above in that
+  // of the superlevel set: from the end of its path along the parents, as far as its place among the nodes.
+  void locate_vertices(const std::vector<std::uint32_t>& sequence,
+                       const Cuts& cuts,
+                       const Merge_forest& sublevel_forest,
+                       const Merge_forest& superlevel_forest,
+                       Paths& descents,
+                       Paths& ascents)
+  {
+    const auto vertex = [&](std::uint32_t node) {
+      return m_nodes.vertex[cuts.is_leaf(node) ? cuts.saddle_of_leaf(node) : node];
+    };
+    std::vector<typename VertexOrder::FT> values;
+    values.reserve(sequence.size());
+    for (const std::uint32_t node : sequence)
+      values.push_back(m_order.value(vertex(node)));
+    // the number of nodes that are not above `v`
+    const auto place = [&](vertex_descriptor v) {
+      const auto range = std::equal_range(values.begin(), values.end(), m_order.value(v));
+      const auto nodes = sequence.begin();
+      return std::partition_point(nodes + (range.first - values.begin()),
+                                  nodes + (range.second - values.begin()),
+                                  [&](std::uint32_t node) { return !m_order(v, vertex(node)); }) -
+             nodes;
+    };
+
+    std::vector<vertex_descriptor> all;
+    all.reserve(num_vertices(m_tmesh));
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
+      if (!has_no_edge(v, m_tmesh))
+        all.push_back(v);
+    m_node_below.resize(m_index_bound, no_node);
+    m_node_above.resize(m_index_bound, no_node);
+    std::vector<std::uint32_t> places(all.size());
+    for_each_range<ConcurrencyTag>(all.size(), [&](std::size_t begin, std::size_t end) {
+      const Cut_marks<TriangleMesh> no_marks;
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t v = static_cast<std::size_t>(get(m_vertex_index_map, all[i]));
+        places[i] = static_cast<std::uint32_t>(place(all[i]));
+        m_node_below[v] = descents.end(all[i], no_marks);
+        m_node_above[v] = ascents.end(all[i], cuts.marks);
+      }
+    });
+
+    // in the order of their places, so that the ways along the parents can be shortened for all that follow
+    std::vector<std::size_t> begin(sequence.size() + 2, 0);
+    for (const std::uint32_t p : places)
+      ++begin[p + 1];
+    for (std::size_t i = 1; i < begin.size(); ++i)
+      begin[i] += begin[i - 1];
+    std::vector<std::uint32_t> by_place(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      by_place[begin[places[i]]++] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> place_of_node(sequence.size());
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      place_of_node[sequence[i]] = static_cast<std::uint32_t>(i);
+
+    const auto follow =
+        [](std::vector<std::uint32_t>& parents, std::uint32_t node, const auto& is_passed) {
+          for (;;) {
+            const std::uint32_t parent = parents[node];
+            if (parent == no_node || !is_passed(parent))
+              return node;
+            const std::uint32_t next = parents[parent];
+            if (next != no_node && is_passed(next))
+              parents[node] = next;
+            node = parents[node];
+          }
+        };
+    const auto locate_below = [&]() {
+      std::vector<std::uint32_t> parents = sublevel_forest.parents();
+      for (const std::uint32_t i : by_place) {
+        std::uint32_t& node =
+            m_node_below[static_cast<std::size_t>(get(m_vertex_index_map, all[i]))];
+        node = follow(parents, node, [&](std::uint32_t n) { return place_of_node[n] < places[i]; });
+      }
+    };
+    const auto locate_above = [&]() {
+      std::vector<std::uint32_t> parents = superlevel_forest.parents();
+      for (auto j = by_place.rbegin(); j != by_place.rend(); ++j) {
+        std::uint32_t& node =
+            m_node_above[static_cast<std::size_t>(get(m_vertex_index_map, all[*j]))];
+        node =
+            follow(parents, node, [&](std::uint32_t n) { return place_of_node[n] >= places[*j]; });
+      }
+    };
+    invoke_both<ConcurrencyTag>(locate_below, locate_above);
+  }
+
+  // Numbers nodes and arcs.
+  void write(const std::vector<std::uint32_t>& sequence,
+             const Cuts& cuts,
+             Leaf_pruning& pruning,
+             Arc_list<TriangleMesh>& result) const
+  {
+    std::vector<std::uint32_t> number(m_nodes.size(), no_node);
+    std::vector<std::uint32_t> first_arc; // by number, one more than there are nodes
+    std::uint32_t number_of_arcs = 0;
+    for (const std::uint32_t node : sequence) {
+      if (cuts.is_leaf(node) || is_regular(node))
+        continue;
+      number[node] = static_cast<std::uint32_t>(result.nodes.size());
+      result.nodes.push_back(m_nodes.vertex[node]);
+      first_arc.push_back(number_of_arcs);
+      number_of_arcs += m_number_above[node];
+    }
+    result.arcs.resize(number_of_arcs);
+    std::vector<std::uint32_t> arc_number(pruning.arcs.size());
+    for (std::size_t i = 0; i < pruning.arcs.size(); ++i) {
+      const Leaf_pruning::Arc& arc = pruning.arcs[i];
+      const std::uint32_t lower = number[arc.lower];
+      const std::uint32_t upper =
+          number[cuts.is_leaf(arc.upper) ? cuts.saddle_of_leaf(arc.upper) : arc.upper];
+      arc_number[i] = first_arc[lower] + arc.position;
+      result.arcs[arc_number[i]] = {lower, upper};
+    }
+
+    if (m_request.has_vertex_arcs) {
+      result.arc_of_vertex.assign(m_index_bound, no_arc);
+      for (std::size_t i = 0; i < m_index_bound; ++i) {
+        if (m_node_below[i] == no_node)
+          continue;
+        const std::uint32_t arc = pruning.arc(m_node_below[i], m_node_above[i]);
+        if (arc != no_arc) // of the vertices of nodes it does not matter
+          result.arc_of_vertex[i] = arc_number[arc];
+      }
+      result.set_arcs_of_nodes(m_vertex_index_map);
+    }
+    if (m_request.has_wedge_arcs) {
+      for (const std::uint32_t node : sequence) {
+        if (cuts.is_leaf(node) || is_regular(node) ||
+            (m_number_above[node] < 2 && !m_nodes.is_unfolded(node)))
+          continue;
+        for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
+          if (m_nodes.upper_halfedge[w] != boost::graph_traits<TriangleMesh>::null_halfedge())
+            result.upper_wedges.push_back(
+                {m_nodes.upper_halfedge[w], first_arc[number[node]] + m_nodes.upper_end[w]});
+      }
+    }
+  }
+
+  const TriangleMesh& m_tmesh;
+  const VertexOrder& m_order;
+  VertexIndexMap m_vertex_index_map;
+  const std::size_t m_index_bound;
+  const Vertex_states& m_states;
+  const Reeb_graph_request m_request;
+  Nodes m_nodes;
+  std::vector<std::uint32_t> m_number_below, m_number_above; // of arcs, by node
+  std::vector<std::uint32_t> m_node_below, m_node_above; // by vertex index, see locate_vertices()
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CUTTING_H
