@@ -32,10 +32,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The vertices that may be critical, as nodes, and for every wedge of theirs a node in the component of the
-// sublevel (or superlevel) set that it leads to: the end of a monotone path. Nodes have numbers in the order of the
-// mesh; `sequence` has them in the order of the vertices. On demand a multiple saddle is unfolded: it becomes
-// several nodes with the same vertex and successive numbers, which are simple saddles.
+// The vertices that may be critical, as nodes, numbered in their order, and for every wedge of theirs a node in the
+// component of the sublevel (or superlevel) set that it leads to: the end of a monotone path. On demand a
+// multiple saddle is unfolded: it becomes several nodes with the same vertex, which are simple saddles.
 template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
 struct Critical_nodes
 {
@@ -60,8 +59,16 @@ struct Critical_nodes
            (node + 1 < size() && vertex[node + 1] == vertex[node]);
   }
 
+  // The ends of monotone paths have the numbers that the nodes get in the order of the mesh; the leaves of cuts have
+  // numbers beyond.
+  std::uint32_t number_of_end(std::uint32_t end) const
+  {
+    return end < number.size() ? number[end] : end;
+  }
+
   std::vector<vertex_descriptor> vertex;
-  std::vector<std::uint32_t> sequence;
+  std::vector<std::uint32_t> number;      // of the node, by its number in the order of the mesh
+  std::vector<std::uint32_t> mesh_number; // the inverse
   // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
   std::vector<std::uint32_t> lower_begin, upper_begin;
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
@@ -98,10 +105,9 @@ public:
   {
     list_nodes(nodes, descents, ascents);
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      Star star;
-      const Marks no_marks;
+      Reader reader = {nodes, descents, ascents, Marks(), Star(), {}, {}};
       for (std::size_t i = begin; i < end; ++i)
-        read_wedges(nodes, static_cast<std::uint32_t>(i), star, descents, ascents, no_marks);
+        read_wedges(static_cast<std::uint32_t>(i), reader);
     });
     sort(nodes);
   }
@@ -112,15 +118,29 @@ public:
     ascents.forget();
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (nodes.upper_begin[i] == nodes.upper_begin[i + 1])
-        ascents.set_end(nodes.vertex[i], static_cast<std::uint32_t>(i));
+        ascents.set_end(nodes.vertex[i], nodes.mesh_number[i]);
     for_each_range<ConcurrencyTag>(nodes.upper_end.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::size_t> passed;
       for (std::size_t w = begin; w < end; ++w)
         if (nodes.upper_halfedge[w] != null_halfedge())
-          nodes.upper_end[w] = end_of_upper_wedge(nodes.upper_halfedge[w], ascents, marks);
+          nodes.upper_end[w] = nodes.number_of_end(
+              end_of_upper_wedge(nodes.upper_halfedge[w], ascents, marks, passed));
     });
   }
 
 private:
+  // What reading the wedges of nodes needs, for every thread.
+  struct Reader
+  {
+    Nodes& nodes;
+    Paths& descents;
+    Paths& ascents;
+    const Marks no_marks;
+    Star star;
+    std::vector<std::size_t> passed;
+    std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
+  };
+
   static halfedge_descriptor null_halfedge()
   {
     return boost::graph_traits<TriangleMesh>::null_halfedge();
@@ -182,96 +202,89 @@ private:
     nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
   }
 
-  std::uint32_t end_of_upper_wedge(halfedge_descriptor h, Paths& ascents, const Marks& marks) const
+  std::uint32_t end_of_upper_wedge(halfedge_descriptor h,
+                                   Paths& ascents,
+                                   const Marks& marks,
+                                   std::vector<std::size_t>& passed) const
   {
     const std::uint32_t leaf = marks.leaf(index(target(h, m_tmesh)), h);
-    return leaf != no_node ? leaf : ascents.end(source(h, m_tmesh), marks);
+    return leaf != no_node ? leaf : ascents.end(source(h, m_tmesh), marks, passed);
   }
 
-  void read_wedges(Nodes& nodes,
-                   std::uint32_t node,
-                   Star& star,
-                   Paths& descents,
-                   Paths& ascents,
-                   const Marks& no_marks) const
+  std::uint32_t end_of_lower_wedge(halfedge_descriptor h, Reader& reader) const
   {
+    return reader.descents.end(source(h, m_tmesh), reader.no_marks, reader.passed);
+  }
+
+  void read_wedges(std::uint32_t node, Reader& reader) const
+  {
+    Nodes& nodes = reader.nodes;
+    Star& star = reader.star;
     if (nodes.is_unfolded(node)) {
       if (nodes.first_of_vertex(node) == node)
-        read_unfolded_wedges(nodes, node, star, descents, ascents, no_marks);
+        read_unfolded_wedges(node, reader);
       return;
     }
     find_wedges(nodes.vertex[node], star);
     std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
-    // the passes over the faces may have seen more than one fan
+    // the pass over the faces may have seen more than one fan
     if (star.number_of_wedges(false) != nodes.lower_begin[node + 1] - lower ||
         star.number_of_wedges(true) != nodes.upper_begin[node + 1] - upper)
       throw_several_fans();
-    for (const auto& wedge : star.wedges)
-      if (!wedge.is_upper)
-        nodes.lower_end[lower++] =
-            descents.end(source(star.halfedges[wedge.begin], m_tmesh), no_marks);
 
-    std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
     const bool sorts = nodes.upper_begin[node + 1] - upper > 1;
+    reader.upper_wedges.clear();
     for (const auto& wedge : star.wedges) {
-      if (!wedge.is_upper)
-        continue;
       const halfedge_descriptor h = star.halfedges[wedge.begin];
-      if (sorts)
-        upper_wedges.emplace_back(source(star.lowest_edge(wedge, m_tmesh, m_order), m_tmesh), h);
+      if (!wedge.is_upper)
+        nodes.lower_end[lower++] = end_of_lower_wedge(h, reader);
       else
-        add_upper_wedge(nodes, upper, h, ascents, no_marks);
+        reader.upper_wedges.emplace_back(
+            source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), h);
     }
-    std::sort(upper_wedges.begin(), upper_wedges.end(), [&](const auto& a, const auto& b) {
-      return m_order(a.first, b.first);
-    });
-    for (const auto& wedge : upper_wedges)
-      add_upper_wedge(nodes, upper, wedge.second, ascents, no_marks);
+    std::sort(reader.upper_wedges.begin(),
+              reader.upper_wedges.end(),
+              [&](const auto& a, const auto& b) { return m_order(a.first, b.first); });
+    for (const auto& wedge : reader.upper_wedges)
+      add_upper_wedge(upper, wedge.second, reader);
   }
 
-  void add_upper_wedge(Nodes& nodes,
-                       std::uint32_t& upper,
-                       halfedge_descriptor h,
-                       Paths& ascents,
-                       const Marks& marks) const
+  void add_upper_wedge(std::uint32_t& upper, halfedge_descriptor h, Reader& reader) const
   {
-    nodes.upper_halfedge[upper] = h;
-    nodes.upper_end[upper] = end_of_upper_wedge(h, ascents, marks);
+    reader.nodes.upper_halfedge[upper] = h;
+    reader.nodes.upper_end[upper] =
+        end_of_upper_wedge(h, reader.ascents, reader.no_marks, reader.passed);
     ++upper;
   }
 
   // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
   // across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i + 1) across U(i); what
   // passes by the last one is Uk.
-  void read_unfolded_wedges(Nodes& nodes,
-                            std::uint32_t first,
-                            Star& star,
-                            Paths& descents,
-                            Paths& ascents,
-                            const Marks& no_marks) const
+  void read_unfolded_wedges(std::uint32_t first, Reader& reader) const
   {
+    Nodes& nodes = reader.nodes;
+    Star& star = reader.star;
     find_wedges(nodes.vertex[first], star);
     star.begin_at_lowest_vertex(m_tmesh, m_order);
     const auto edge = [&](std::size_t wedge) { return star.halfedges[star.wedges[wedge].begin]; };
     const auto lowest = [&](std::size_t wedge) {
       return source(star.lowest_edge(star.wedges[wedge], m_tmesh, m_order), m_tmesh);
     };
-    const std::size_t number = star.number_of_simple_saddles(), k = number + 1;
+    const std::size_t number = star.number_of_simple_saddles();
     for (std::size_t i = 1; i <= number; ++i) {
       const std::uint32_t node = first + static_cast<std::uint32_t>(i - 1);
       std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
-      nodes.lower_end[lower++] =
-          i > 1 ? node - 1 : descents.end(source(edge(0), m_tmesh), no_marks);
-      nodes.lower_end[lower] = descents.end(source(edge(2 * i), m_tmesh), no_marks);
+      nodes.lower_end[lower++] = i > 1 ? node - 1 : end_of_lower_wedge(edge(0), reader);
+      nodes.lower_end[lower] = end_of_lower_wedge(edge(2 * i), reader);
+      std::size_t wedge = 2 * i - 1, other = 2 * i + 1;
       if (i < number) {
         nodes.upper_end[upper++] = node + 1;
-        add_upper_wedge(nodes, upper, edge(2 * i - 1), ascents, no_marks);
+        add_upper_wedge(upper, edge(wedge), reader);
       } else {
-        const bool is_last_lower = m_order(lowest(2 * k - 1), lowest(2 * k - 3));
-        add_upper_wedge(
-            nodes, upper, edge(is_last_lower ? 2 * k - 1 : 2 * k - 3), ascents, no_marks);
-        add_upper_wedge(
-            nodes, upper, edge(is_last_lower ? 2 * k - 3 : 2 * k - 1), ascents, no_marks);
+        if (m_order(lowest(other), lowest(wedge)))
+          std::swap(wedge, other);
+        add_upper_wedge(upper, edge(wedge), reader);
+        add_upper_wedge(upper, edge(other), reader);
       }
     }
   }
@@ -298,9 +311,52 @@ private:
           const vertex_descriptor u = nodes.vertex[a.node], v = nodes.vertex[b.node];
           return u == v ? a.node < b.node : m_order(u, v);
         });
-    nodes.sequence.reserve(keyed.size());
+    nodes.mesh_number.reserve(keyed.size());
     for (const Keyed_node& k : keyed)
-      nodes.sequence.push_back(k.node);
+      nodes.mesh_number.push_back(k.node);
+    renumber(nodes);
+  }
+
+  // The passes over the nodes are much faster if nodes that follow each other lie side by side.
+  void renumber(Nodes& nodes) const
+  {
+    const std::size_t size = nodes.size();
+    nodes.number.resize(size);
+    std::vector<vertex_descriptor> vertex(size);
+    for (std::uint32_t i = 0; i < size; ++i) {
+      nodes.number[nodes.mesh_number[i]] = i;
+      vertex[i] = nodes.vertex[nodes.mesh_number[i]];
+    }
+    nodes.vertex = std::move(vertex);
+    for (std::uint32_t& end : nodes.lower_end)
+      end = nodes.number[end];
+    for (std::uint32_t& end : nodes.upper_end)
+      end = nodes.number[end];
+    renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_halfedge);
+    std::vector<std::uint32_t> begin =
+        renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_end);
+    nodes.upper_begin = std::move(begin);
+    begin = renumber_wedges(nodes.mesh_number, nodes.lower_begin, nodes.lower_end);
+    nodes.lower_begin = std::move(begin);
+  }
+
+  // Returns the new beginnings.
+  template <class T>
+  static std::vector<std::uint32_t> renumber_wedges(const std::vector<std::uint32_t>& mesh_number,
+                                                    const std::vector<std::uint32_t>& begin,
+                                                    std::vector<T>& of_wedge)
+  {
+    std::vector<std::uint32_t> new_begin(1, 0);
+    new_begin.reserve(begin.size());
+    std::vector<T> new_of_wedge;
+    new_of_wedge.reserve(of_wedge.size());
+    for (const std::uint32_t i : mesh_number) {
+      for (std::uint32_t w = begin[i]; w < begin[i + 1]; ++w)
+        new_of_wedge.push_back(of_wedge[w]);
+      new_begin.push_back(static_cast<std::uint32_t>(new_of_wedge.size()));
+    }
+    of_wedge = std::move(new_of_wedge);
+    return new_begin;
   }
 
   const TriangleMesh& m_tmesh;

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -80,24 +81,11 @@ public:
     Paths descents = paths(BELOW), ascents = paths(ABOVE);
     finder.find(m_nodes, descents, ascents);
 
+    std::vector<std::uint32_t> sequence(m_nodes.size());
+    std::iota(sequence.begin(), sequence.end(), 0);
     Merge_forest sublevel_forest, superlevel_forest;
-    invoke_both<ConcurrencyTag>(
-        [&]() {
-          merge(m_nodes.sequence.begin(),
-                m_nodes.sequence.end(),
-                m_nodes.size(),
-                m_nodes.lower_begin,
-                m_nodes.lower_end,
-                sublevel_forest);
-        },
-        [&]() {
-          merge(m_nodes.sequence.rbegin(),
-                m_nodes.sequence.rend(),
-                m_nodes.size(),
-                m_nodes.upper_begin,
-                m_nodes.upper_end,
-                superlevel_forest);
-        });
+    invoke_both<ConcurrencyTag>([&]() { merge_sublevel_sets(sequence, sublevel_forest); },
+                                [&]() { merge_superlevel_sets(sequence, superlevel_forest); });
 
     Cuts cuts(m_tmesh, m_order, m_vertex_index_map, m_nodes, m_states.has_border(), budget);
     const std::vector<bool> may_have_loops =
@@ -105,19 +93,13 @@ public:
     if (!may_have_loops.empty()) {
       if (!cuts.run([&](std::uint32_t node) { return may_have_loops[node]; }, sublevel_forest))
         return false;
+      sequence = std::move(cuts.sequence);
       cuts.marks.sort(m_index_bound);
       if (!cuts.marks.empty()) {
         finder.follow_ascents(m_nodes, ascents, cuts.marks);
-        merge(cuts.sequence.rbegin(),
-              cuts.sequence.rend(),
-              cuts.sequence.size(),
-              m_nodes.upper_begin,
-              m_nodes.upper_end,
-              superlevel_forest);
+        merge_superlevel_sets(sequence, superlevel_forest);
       }
     }
-    const std::vector<std::uint32_t>& sequence =
-        cuts.sequence.empty() ? m_nodes.sequence : cuts.sequence;
 
     if (m_request.has_vertex_arcs)
       locate_vertices(sequence, cuts, sublevel_forest, superlevel_forest, descents, ascents);
@@ -152,16 +134,26 @@ private:
     return m_number_below[node] == 1 && m_number_above[node] == 1;
   }
 
+  void merge_sublevel_sets(const std::vector<std::uint32_t>& sequence, Merge_forest& forest)
+  {
+    merge(sequence.begin(), sequence.end(), m_nodes.lower_begin, m_nodes.lower_end, forest);
+  }
+
+  void merge_superlevel_sets(const std::vector<std::uint32_t>& sequence, Merge_forest& forest)
+  {
+    merge(sequence.rbegin(), sequence.rend(), m_nodes.upper_begin, m_nodes.upper_end, forest);
+  }
+
   // Makes a forest: visits the nodes in the given order and merges the components that their wedges lead to.
   // The end of every wedge becomes the last node of its component, the child that the component has in the forest.
   template <class Iterator>
   void merge(Iterator begin,
              Iterator end,
-             std::size_t number_of_nodes,
              const std::vector<std::uint32_t>& wedge_begin,
              std::vector<std::uint32_t>& wedge_end,
              Merge_forest& forest) const
   {
+    const std::size_t number_of_nodes = static_cast<std::size_t>(end - begin);
     forest.clear(number_of_nodes);
     Number_sets components(number_of_nodes); // the last node visited is the root
     for (Iterator i = begin; i != end; ++i) {
@@ -220,17 +212,15 @@ private:
   {
     std::vector<bool> touches_border(m_nodes.size(), false);
     const Cut_marks<TriangleMesh> no_marks;
+    std::vector<std::size_t> passed;
     for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
       if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))) ||
-          m_states.has_faceless_edges())
-        if (!has_no_edge(v, m_tmesh))
-          touches_border[ascents.end(v, no_marks)] = true;
+          (m_states.has_faceless_edges() && !has_no_edge(v, m_tmesh)))
+        touches_border[m_nodes.number_of_end(ascents.end(v, no_marks, passed))] = true;
     std::vector<std::uint32_t> result(m_nodes.size(), 0);
-    for (auto node = m_nodes.sequence.rbegin(); node != m_nodes.sequence.rend(); ++node) {
-      const std::uint32_t parent = forest.parent(*node);
-      if (result[*node] > 0)
-        touches_border[*node] = true;
-      if (parent != no_node && touches_border[*node])
+    for (std::uint32_t node = static_cast<std::uint32_t>(m_nodes.size()); node-- > 0;) {
+      const std::uint32_t parent = forest.parent(node);
+      if (parent != no_node && (touches_border[node] || result[node] > 0))
         ++result[parent];
     }
     return result;
@@ -277,11 +267,12 @@ private:
     std::vector<std::uint32_t> places(all.size());
     for_each_range<ConcurrencyTag>(all.size(), [&](std::size_t begin, std::size_t end) {
       const Cut_marks<TriangleMesh> no_marks;
+      std::vector<std::size_t> passed;
       for (std::size_t i = begin; i < end; ++i) {
         const std::size_t v = static_cast<std::size_t>(get(m_vertex_index_map, all[i]));
         places[i] = static_cast<std::uint32_t>(place(all[i]));
-        m_node_below[v] = descents.end(all[i], no_marks);
-        m_node_above[v] = ascents.end(all[i], cuts.marks);
+        m_node_below[v] = m_nodes.number_of_end(descents.end(all[i], no_marks, passed));
+        m_node_above[v] = m_nodes.number_of_end(ascents.end(all[i], cuts.marks, passed));
       }
     });
 
@@ -298,6 +289,12 @@ private:
     for (std::size_t i = 0; i < sequence.size(); ++i)
       place_of_node[sequence[i]] = static_cast<std::uint32_t>(i);
 
+    const auto parents_in = [&](const Merge_forest& forest) {
+      std::vector<std::uint32_t> parents(sequence.size());
+      for (const std::uint32_t node : sequence)
+        parents[node] = forest.parent(node);
+      return parents;
+    };
     const auto follow =
         [](std::vector<std::uint32_t>& parents, std::uint32_t node, const auto& is_passed) {
           for (;;) {
@@ -311,7 +308,7 @@ private:
           }
         };
     const auto locate_below = [&]() {
-      std::vector<std::uint32_t> parents = sublevel_forest.parents();
+      std::vector<std::uint32_t> parents = parents_in(sublevel_forest);
       for (const std::uint32_t i : by_place) {
         std::uint32_t& node =
             m_node_below[static_cast<std::size_t>(get(m_vertex_index_map, all[i]))];
@@ -319,7 +316,7 @@ private:
       }
     };
     const auto locate_above = [&]() {
-      std::vector<std::uint32_t> parents = superlevel_forest.parents();
+      std::vector<std::uint32_t> parents = parents_in(superlevel_forest);
       for (auto j = by_place.rbegin(); j != by_place.rend(); ++j) {
         std::uint32_t& node =
             m_node_above[static_cast<std::size_t>(get(m_vertex_index_map, all[*j]))];

@@ -69,7 +69,7 @@ public:
     forest.clear(m_nodes.size());
     m_components = Number_sets(m_nodes.size());
     sequence.reserve(m_nodes.size());
-    for (const std::uint32_t node : m_nodes.sequence) {
+    for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
       if (may_have_loops(node) &&
           !(m_nodes.is_unfolded(node) ? cut_below_simple_saddle(node, forest)
                                       : cut_below(node, forest)))

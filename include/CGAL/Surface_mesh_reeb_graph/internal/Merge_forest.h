@@ -27,66 +27,57 @@ namespace internal {
 class Merge_forest
 {
 public:
-  void resize(std::size_t size)
-  {
-    m_parent.resize(size, no_node);
-    m_children.resize(size, 0);
-    m_degree.resize(size, 0);
-    m_position.resize(size, 0);
-  }
+  void resize(std::size_t size) { m_nodes.resize(size); }
 
-  void clear(std::size_t size)
-  {
-    m_parent.clear();
-    m_children.clear();
-    m_degree.clear();
-    m_position.clear();
-    resize(size);
-  }
+  void clear(std::size_t size) { m_nodes.assign(size, Node()); }
 
-  std::uint32_t parent(std::uint32_t node) const { return m_parent[node]; }
-  const std::vector<std::uint32_t>& parents() const { return m_parent; }
-  std::uint32_t degree(std::uint32_t node) const { return m_degree[node]; }
+  std::uint32_t parent(std::uint32_t node) const { return m_nodes[node].parent; }
+  std::uint32_t degree(std::uint32_t node) const { return m_nodes[node].degree; }
 
   // How many children of its parent came before.
-  std::uint32_t position(std::uint32_t node) const { return m_position[node]; }
+  std::uint32_t position(std::uint32_t node) const { return m_nodes[node].position; }
 
   // \pre `degree(node) == 1`
-  std::uint32_t only_child(std::uint32_t node) const { return m_children[node]; }
+  std::uint32_t only_child(std::uint32_t node) const { return m_nodes[node].children; }
 
   void attach(std::uint32_t child, std::uint32_t node)
   {
-    m_parent[child] = node;
-    m_position[child] = m_degree[node]++;
-    m_children[node] ^= child;
+    m_nodes[child].parent = node;
+    m_nodes[child].position = m_nodes[node].degree++;
+    m_nodes[node].children ^= child;
   }
 
   // \pre `degree(leaf) == 0`, and `leaf` has a parent
   void remove_leaf(std::uint32_t leaf)
   {
-    const std::uint32_t node = m_parent[leaf];
-    m_children[node] ^= leaf;
-    --m_degree[node];
-    m_parent[leaf] = no_node;
+    const std::uint32_t node = m_nodes[leaf].parent;
+    m_nodes[node].children ^= leaf;
+    --m_nodes[node].degree;
+    m_nodes[leaf].parent = no_node;
   }
 
   // Takes away a node with one child, which takes its place.
   void splice(std::uint32_t node)
   {
-    const std::uint32_t child = m_children[node], above = m_parent[node];
-    m_parent[child] = above;
-    m_position[child] = m_position[node];
-    if (above != no_node)
-      m_children[above] ^= node ^ child;
-    m_degree[node] = 0;
-    m_parent[node] = no_node;
+    const std::uint32_t child = m_nodes[node].children, parent = m_nodes[node].parent;
+    m_nodes[child].parent = parent;
+    m_nodes[child].position = m_nodes[node].position;
+    if (parent != no_node)
+      m_nodes[parent].children ^= node ^ child;
+    m_nodes[node].degree = 0;
+    m_nodes[node].parent = no_node;
   }
 
 private:
-  std::vector<std::uint32_t> m_parent;
-  std::vector<std::uint32_t> m_children; // exclusive or
-  std::vector<std::uint32_t> m_degree;
-  std::vector<std::uint32_t> m_position;
+  struct Node
+  {
+    std::uint32_t parent = no_node;
+    std::uint32_t children = 0; // exclusive or
+    std::uint32_t degree = 0;
+    std::uint32_t position = 0;
+  };
+
+  std::vector<Node> m_nodes;
 };
 
 } // namespace internal

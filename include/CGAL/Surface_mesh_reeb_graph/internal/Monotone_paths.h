@@ -65,14 +65,15 @@ public:
     return m_end[vertex_index].load(std::memory_order_relaxed) - 1; // no_node if it is not known
   }
 
-  // The end of a path that begins at `v`. Upward paths end where they cross a cut.
-  std::uint32_t end(vertex_descriptor v, const Cut_marks<TriangleMesh>& marks)
+  // The end of a path that begins at `v`. Upward paths end where they cross a cut. `passed` is memory to be used
+  // again.
+  std::uint32_t
+  end(vertex_descriptor v, const Cut_marks<TriangleMesh>& marks, std::vector<std::size_t>& passed)
   {
     std::size_t i = index(v);
     std::uint32_t result = known_end(i);
     if (result != no_node)
       return result;
-    thread_local std::vector<std::size_t> passed;
     passed.clear();
     while (result == no_node) {
       passed.push_back(i);
