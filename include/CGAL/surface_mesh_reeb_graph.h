@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
+#include <CGAL/Surface_mesh_reeb_graph/level_set_components.h>
 #include <CGAL/Surface_mesh_reeb_graph/mapping_functions.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>

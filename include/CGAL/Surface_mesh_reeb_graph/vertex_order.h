@@ -12,8 +12,10 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/sorted_vertices.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/utils.h>
@@ -232,6 +234,151 @@ private:
   // by vertex index, null without plateaus; shared, so that copies of the order are cheap
   std::shared_ptr<std::vector<std::uint32_t>> m_plateau_distance;
 };
+
+namespace internal {
+
+// Whether a number type can tell the numbers 0, ..., n - 1 apart, and 0 / n, ..., (n - 1) / n too.
+template <class Number>
+bool has_distinct_numbers(std::size_t n)
+{
+  // binary digits; 0 for types that do not say how many they have
+  constexpr int digits = std::numeric_limits<Number>::digits;
+  if constexpr (0 < digits && digits < std::numeric_limits<std::size_t>::digits)
+    return n == 0 || ((n - 1) >> digits) == 0;
+  else
+    return true;
+}
+
+template <class Number>
+void check_distinct_numbers(std::size_t number_of_vertices)
+{
+  if (!has_distinct_numbers<Number>(number_of_vertices)) {
+    std::ostringstream message;
+    message << "the value type of the map is too small to number " << number_of_vertices
+            << " vertices";
+    throw Reeb_graph_error(message.str());
+  }
+}
+
+// All vertices of the mesh in their order. When this returns, the data can do nothing wrong any more.
+template <class Number, class TriangleMesh, class VertexScalarMap, class NamedParameters>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+vertices_to_number(const TriangleMesh& tmesh, VertexScalarMap scalar_map, const NamedParameters& np)
+{
+  const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
+  using VIM = std::decay_t<decltype(vertex_index_map)>;
+
+  const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(tmesh, scalar_map, vertex_index_map);
+  auto vertices = sorted_vertices(tmesh, order, vertex_index_map);
+  check_distinct_numbers<Number>(vertices.size());
+  return vertices;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphFunctions
+
+numbers the vertices of a mesh in the order of `Vertex_order`: the lowest vertex has the rank 0, the
+highest one *n* - 1, where *n* is the number of vertices. (Removed vertices of a
+`CGAL::Surface_mesh` do not count.)
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam VertexScalarMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or
+        any other type with a strict order `<`, as value type
+\tparam VertexRankMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
+        number type as value type
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+
+\param tmesh the mesh
+\param scalar_map the function
+\param rank_map receives the ranks; it may be the map of the function itself
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+Takes O(n log n) time.
+
+\throws Reeb_graph_error if a value is not a number, or if the value type of the rank map cannot
+        hold the ranks; the rank map is then left as it was
+
+\sa `vertex_order_values()`
+*/
+template <class TriangleMesh,
+          class VertexScalarMap,
+          class VertexRankMap,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+void vertex_ranks(const TriangleMesh& tmesh,
+                  VertexScalarMap scalar_map,
+                  VertexRankMap rank_map,
+                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Number = std::remove_cv_t<typename boost::property_traits<VertexRankMap>::value_type>;
+
+  const auto vertices = internal::vertices_to_number<Number>(tmesh, scalar_map, np);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    put(rank_map, vertices[i], static_cast<Number>(i));
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphFunctions
+
+turns a scalar function into a Morse function (\cgalCite{el_khoury_2012}, Eq. 13): the vertex of
+rank *i* in the order of `Vertex_order` gets the value *i* / *n*, where *n* is the number of
+vertices.
+
+As in the paper, *i* counts from 0: the values are 0, 1 / *n*, ..., (*n* - 1) / *n*. All of them are
+different, and `Vertex_order` gives the same order for them as for the function, whatever the
+indices of the vertices: both have the same level set components. (`compute_reeb_graph()` needs no
+such function; it compares vertices in this order itself, and cancels the pairs of extrema and
+saddles inside plateaus then, which the values given here hide from it.)
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam VertexScalarMap a model of `ReadablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or
+        any other type with a strict order `<`, as value type
+\tparam VertexValueMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
+        number type that has fractions, as `double`, as value type
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+
+\param tmesh the mesh
+\param scalar_map the function
+\param value_map receives the values; it may be the map of the function itself
+\param np an optional sequence of named parameters, as for `vertex_ranks()`
+
+Takes O(n log n) time.
+
+\throws Reeb_graph_error if a value is not a number, or if the value type of the value map cannot
+        tell the new values apart (as `float` for more than 16 777 216 vertices); the value map is
+        then left as it was
+
+\sa `vertex_ranks()`
+*/
+template <class TriangleMesh,
+          class VertexScalarMap,
+          class VertexValueMap,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+void vertex_order_values(const TriangleMesh& tmesh,
+                         VertexScalarMap scalar_map,
+                         VertexValueMap value_map,
+                         const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using Number = std::remove_cv_t<typename boost::property_traits<VertexValueMap>::value_type>;
+  static_assert(!std::numeric_limits<Number>::is_integer,
+                "the values of the vertex order are fractions: integers cannot hold them");
+
+  const auto vertices = internal::vertices_to_number<Number>(tmesh, scalar_map, np);
+  const Number n = static_cast<Number>(static_cast<double>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    put(value_map, vertices[i], Number(static_cast<Number>(static_cast<double>(i)) / n));
+}
 
 } // namespace Surface_mesh_reeb_graph
 } // namespace CGAL
