@@ -325,6 +325,147 @@ BOOST_AUTO_TEST_CASE(loops_equal_genus_and_nodes_the_euler_characteristic)
   }
 }
 
+// With multiple saddles unfolded, for every function: distinct values, plateaus, constant.
+BOOST_AUTO_TEST_CASE(loops_equal_genus_when_saddles_are_unfolded)
+{
+  std::mt19937 rng(2);
+  unsigned folded_cases = 0;
+  for (std::size_t g = 0; g <= 5; ++g) {
+    for (unsigned i = 0; i < 30; ++i) {
+      Index_mesh mesh = g == 0 ? sphere(2) : closed_surface(g, 4 + i % 5, 4 + i % 7);
+      flip_random_edges(mesh, 3 * mesh.points.size(), rng);
+      BOOST_REQUIRE(genus(mesh) == g);
+      const std::size_t n = mesh.points.size();
+      Case c(mesh,
+             i % 3 == 0   ? random_values(n, rng)
+             : i % 3 == 1 ? random_integer_values(n, 1 + i / 3, rng)
+                          : constant_values(n));
+      check_algorithms(c, true);
+      Graph graph;
+      SMRG::compute_reeb_graph(
+          c.mesh, c.values, graph, SMRG::parameters::unfold_multiple_saddles(true));
+      BOOST_TEST(number_of_loops(graph, mesh) == g);
+      if (i % 3 == 0)
+        BOOST_TEST(has_simple_saddles(graph));
+      SMRG::compute_reeb_graph(c.mesh, c.values, graph);
+      folded_cases += number_of_loops(graph, mesh) < g;
+    }
+  }
+  BOOST_TEST(folded_cases > 0u); // or there is nothing to unfold
+}
+
+// The nodes that a vertex is unfolded into are joined by arcs of no length: without these, the arcs between
+// vertices are the same as before, but that a vertex at which a handle was hidden may be a node now, in the
+// middle of an arc. Every node is a simple saddle.
+BOOST_AUTO_TEST_CASE(unfolding_leaves_the_arcs_between_vertices)
+{
+  unsigned unfolded_cases = 0;
+  for_random_cases([&](const Index_mesh& mesh, std::mt19937& rng) {
+    Case c(mesh, random_values(mesh.points.size(), rng));
+    Graph folded, unfolded;
+    SMRG::compute_reeb_graph(c.mesh, c.values, folded);
+    SMRG::compute_reeb_graph(
+        c.mesh, c.values, unfolded, SMRG::parameters::unfold_multiple_saddles(true));
+    using Vertex_pair = std::pair<std::size_t, std::size_t>;
+    const auto arcs_between_vertices = [](const Graph& graph) {
+      std::vector<Vertex_pair> result;
+      for (const auto arc : CGAL::make_range(edges(graph)))
+        result.emplace_back(graph[source(arc, graph)].vertex, graph[target(arc, graph)].vertex);
+      std::sort(result.begin(), result.end());
+      return result;
+    };
+    std::vector<bool> is_folded_node(mesh.points.size(), false);
+    for (const auto node : CGAL::make_range(vertices(folded)))
+      is_folded_node[folded[node].vertex] = true;
+    std::vector<std::size_t> next(mesh.points.size(), mesh.points.size());
+    std::vector<Vertex_pair> joined;
+    for (const Vertex_pair& arc : arcs_between_vertices(unfolded)) {
+      if (arc.first == arc.second)
+        continue;
+      if (is_folded_node[arc.first]) {
+        joined.push_back(arc);
+      } else {
+        BOOST_TEST(next[arc.first] == mesh.points.size());
+        next[arc.first] = arc.second;
+      }
+    }
+    for (Vertex_pair& arc : joined)
+      while (!is_folded_node[arc.second])
+        arc.second = next.at(arc.second);
+    std::sort(joined.begin(), joined.end());
+    BOOST_TEST((joined == arcs_between_vertices(folded)));
+    unfolded_cases += num_vertices(folded) < num_vertices(unfolded);
+    if (is_closed(mesh))
+      BOOST_TEST(has_simple_saddles(unfolded));
+  });
+  BOOST_TEST(unfolded_cases > 0u);
+}
+
+// A face belongs to an arc that its interior meets: among the arcs on a monotone way through its three
+// vertices, from an arc that reaches to its lowest vertex to one that reaches from its highest.
+BOOST_AUTO_TEST_CASE(faces_belong_to_arcs_that_they_meet)
+{
+  for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
+    Case c(mesh, random_values(mesh.points.size(), rng));
+    Face_map face_arcs = c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:arc").first;
+    Graph graph;
+    SMRG::compute_reeb_graph(
+        c.mesh, c.values, graph, SMRG::parameters::vertex_arc_map(c.arcs).face_arc_map(face_arcs));
+    std::vector<std::pair<double, double>> range_of_arc;
+    std::vector<std::size_t> node_of_vertex(c.mesh.number_of_vertices(), num_vertices(graph));
+    for (const auto arc : CGAL::make_range(edges(graph)))
+      range_of_arc.emplace_back(graph[source(arc, graph)].value, graph[target(arc, graph)].value);
+    for (const auto node : CGAL::make_range(vertices(graph)))
+      node_of_vertex[graph[node].vertex] = node;
+    for (const auto f : c.mesh.faces()) {
+      std::vector<Vertex> corners;
+      for (const Vertex v : c.mesh.vertices_around_face(c.mesh.halfedge(f)))
+        corners.push_back(v);
+      std::sort(corners.begin(), corners.end(), [&](Vertex u, Vertex v) {
+        return c.values[u] < c.values[v];
+      });
+      const std::size_t arc = face_arcs[f];
+      BOOST_REQUIRE(arc < num_edges(graph));
+      const double middle = c.values[corners[1]];
+      BOOST_TEST(range_of_arc[arc].first <= middle);
+      BOOST_TEST(middle < range_of_arc[arc].second);
+      // a regular vertex in the middle, or at the top and not above another node, settles it
+      if (node_of_vertex[corners[1]] == num_vertices(graph))
+        BOOST_TEST(arc == c.arcs[corners[1]]);
+      else
+        BOOST_TEST(range_of_arc[arc].first == middle);
+      const std::size_t top = c.arcs[corners[2]];
+      if (node_of_vertex[corners[2]] == num_vertices(graph) && range_of_arc[top].first <= middle)
+        BOOST_TEST(arc == top);
+    }
+  });
+}
+
+// A budget of no steps is too little for a torus, but not for a sphere, where there is nothing to walk.
+BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
+{
+  using SMRG::internal::Arc_list;
+  for (const bool is_torus : {false, true}) {
+    std::mt19937 rng(3);
+    const Index_mesh mesh = is_torus ? torus(12, 8) : sphere(2);
+    Case c(mesh, random_values(mesh.points.size(), rng));
+    const auto indices = get(boost::vertex_index, c.mesh);
+    using VIM = std::decay_t<decltype(indices)>;
+    using Order = SMRG::Vertex_order<Mesh, Value_map, VIM>;
+    const Order order(c.mesh, c.values, indices);
+    SMRG::internal::Vertex_states states(c.mesh.number_of_vertices());
+    states.classify<CGAL::Sequential_tag>(c.mesh, indices, [&](Vertex v) { return c.values[v]; });
+    const auto is_done = [&](std::size_t budget) {
+      Arc_list<Mesh> result;
+      return SMRG::internal::Cutting<CGAL::Sequential_tag, Mesh, Order, VIM>(
+                 c.mesh, order, indices, c.mesh.number_of_vertices(), states, {})
+          .run(budget, result);
+    };
+    BOOST_TEST(is_done(0) == !is_torus);
+    BOOST_TEST(is_done(1000000));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(borders_are_open_level_sets)
 {
   // along its axis a cylinder is one arc; across, the level sets are two segments in the middle

@@ -123,6 +123,24 @@ Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
       .run();
 }
 
+// The vertices of every arc, in increasing order.
+template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class VertexOrder>
+auto vertices_of_arcs(const Arc_list<TriangleMesh>& list,
+                      const TriangleMesh& tmesh,
+                      VertexIndexMap vertex_index_map,
+                      const VertexOrder& order)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  std::vector<std::vector<vertex_descriptor>> result(list.arcs.size());
+  for (const vertex_descriptor v : sorted_vertices<ConcurrencyTag>(tmesh, order)) {
+    const std::uint32_t arc = list.arc_of_vertex[get(vertex_index_map, v)];
+    if (arc != no_arc)
+      result[arc].push_back(v);
+  }
+  return result;
+}
+
 // Writes the arcs of the faces: that of the middle vertex; if several arcs begin there, the one above it in
 // the wedge that the face's highest vertex belongs to.
 template <class TriangleMesh, class VertexIndexMap, class VertexOrder, class FaceArcMap>
@@ -190,6 +208,11 @@ Infinite values are ordered as such. An empty mesh gives an empty graph.
 Calls for the same mesh may run in several threads at once. (For a polyhedron whose items have ids that are not set,
 \cgal sets them at the first use: that call must be over before others begin.)
 
+The result is the same for all algorithms and any number of threads; for distinct values it does not depend on how vertices
+and faces are numbered either.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` or, if the program is linked with \tbb (see `CGAL::TBB_support`),
+        `CGAL::Parallel_tag`. Then the property maps are read by several threads at once.
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type that can
@@ -212,10 +235,26 @@ Calls for the same mesh may run in several threads at once. (For a polyhedron wh
     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an integer type as value type}
     \cgalParamDefault{no map: the arcs of the vertices are not written}
   \cgalParamNEnd
+  \cgalParamNBegin{face_arc_map}
+    \cgalParamDescription{receives for every face the number of an arc, so that the surface is parted into regions, one for every arc that is wide enough to have a face of its own. It is the arc of the face's middle vertex in the vertex order; where several arcs begin at that vertex, the one that the face reaches into above}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type}
+    \cgalParamDefault{no map: the arcs of the faces are not written}
+  \cgalParamNEnd
   \cgalParamNBegin{collect_arc_vertices}
     \cgalParamDescription{whether `Reeb_arc::vertices` is filled}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{unfold_multiple_saddles}
+    \cgalParamDescription{whether a vertex in the interior at which three or more components meet the level on one side, around the vertex, becomes several nodes, each a simple saddle: as if the vertex were several ones, infinitesimally apart. On a closed connected surface of genus *g* the graph of any function then has exactly *g* loops; otherwise a multiple saddle may hide some. The nodes have the same `Reeb_node::vertex`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`: a vertex is one node at most}
+  \cgalParamNEnd
+  \cgalParamNBegin{algorithm}
+    \cgalParamDescription{the algorithm; all of them give the same}
+    \cgalParamType{`Reeb_graph_algorithm`}
+    \cgalParamDefault{`Reeb_graph_algorithm::AUTOMATIC`}
+    \cgalParamExtra{a name of \cgal: in a chain it comes after those of this package.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`}
@@ -224,13 +263,14 @@ Calls for the same mesh may run in several threads at once. (For a polyhedron wh
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(n log n) time for *n* vertices, plus the time to walk along the shorter components at every saddle,
-and about 40 bytes per vertex while it runs if the vertices and halfedges of the mesh have indices.
+Takes O(*n* log *n*) time for *n* vertices at most, and O(*n* + *t* log *t*) time if *t* of them are critical and there are few
+loops; O(*n* log *n*) with any of the maps that are filled. Beside its output it takes about 10 bytes per vertex and 100 bytes
+per critical vertex while it runs, if the vertices of the mesh have indices.
 
 \pre `CGAL::is_triangle_mesh(tmesh)`
 
 \throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces around a vertex form several closed fans, or
-        if the arcs cannot be numbered in the value type of the map; `graph` and the map are then left
+        if the arcs cannot be numbered in the value type of a map; `graph` and the maps are then left
         as they were
 
 \sa `simplify_reeb_graph()`
@@ -298,22 +338,26 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
     internal::check_arc_number_type(list.arcs.size(),
                                     internal::get_own_parameter(np, internal::tags::face_arc_map));
 
-  std::vector<internal::Node_bundle<MutableGraph>> nodes(list.nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes[i].vertex = list.nodes[i];
-    nodes[i].value = order.value(list.nodes[i]);
-  }
-  std::vector<internal::Arc_bundle<MutableGraph>> arcs(list.arcs.size());
-  internal::number_and_classify(nodes, arcs, list.arcs);
-  if (collects_arc_vertices) {
-    for (const vertex_descriptor v : internal::sorted_vertices<ConcurrencyTag>(tmesh, order)) {
-      const std::uint32_t arc = list.arc_of_vertex[get(vertex_index_map, v)];
-      if (arc != internal::no_arc)
-        arcs[arc].vertices.push_back(v);
-    }
-  }
-
-  internal::write_graph(graph, std::move(nodes), std::move(arcs), list.arcs);
+  using Node = internal::Node_bundle<MutableGraph>;
+  using Arc = internal::Arc_bundle<MutableGraph>;
+  std::vector<std::vector<vertex_descriptor>> arc_vertices;
+  if (collects_arc_vertices)
+    arc_vertices = internal::vertices_of_arcs<ConcurrencyTag>(list, tmesh, vertex_index_map, order);
+  graph = internal::make_graph<MutableGraph>(
+      list.nodes.size(),
+      list.arcs,
+      [&](std::size_t i) {
+        Node node;
+        node.vertex = list.nodes[i];
+        node.value = order.value(list.nodes[i]);
+        return node;
+      },
+      [&](std::size_t i) {
+        Arc arc;
+        if (collects_arc_vertices)
+          arc.vertices = std::move(arc_vertices[i]);
+        return arc;
+      });
   if constexpr (has_vertex_arc_map)
     internal::write_arc_numbers(tmesh,
                                 vertex_index_map,

@@ -150,7 +150,6 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   for (std::uint32_t node : remaining.nodes)
     remaining_nodes.push_back(nodes[node]);
   std::vector<Arc> remaining_arcs(remaining.arcs.size());
-  internal::number_and_classify(remaining_nodes, remaining_arcs, remaining.arcs);
 
   const bool has_arc_vertices =
       std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
@@ -197,8 +196,11 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       }
     }
   }
-  internal::write_graph(
-      graph, std::move(remaining_nodes), std::move(remaining_arcs), remaining.arcs);
+  graph = internal::make_graph<MutableGraph>(
+      remaining_nodes.size(),
+      remaining.arcs,
+      [&](std::size_t i) { return std::move(remaining_nodes[i]); },
+      [&](std::size_t i) { return std::move(remaining_arcs[i]); });
 }
 
 } // namespace Surface_mesh_reeb_graph

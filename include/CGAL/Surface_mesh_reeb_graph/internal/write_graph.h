@@ -16,6 +16,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -37,47 +38,78 @@ using Node_bundle = typename boost::vertex_bundle_type<MutableGraph>::type;
 template <class MutableGraph>
 using Arc_bundle = typename boost::edge_bundle_type<MutableGraph>::type;
 
-// Sets the number and the type of every node and the number of every arc, which follow from the arcs.
-template <class NodeBundle, class ArcBundle>
-void number_and_classify(std::vector<NodeBundle>& nodes,
-                         std::vector<ArcBundle>& arcs,
-                         const std::vector<Arc_ends>& ends)
+// The type of every node, which follows from the arcs.
+inline std::vector<Reeb_node_type>
+types_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
 {
-  std::vector<std::size_t> down(nodes.size(), 0), up(nodes.size(), 0);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    ++up[ends[i].lower];
-    ++down[ends[i].upper];
-    arcs[i].id = i;
+  std::vector<std::uint32_t> down(number_of_nodes, 0), up(number_of_nodes, 0);
+  for (const Arc_ends& arc : ends) {
+    ++up[arc.lower];
+    ++down[arc.upper];
   }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes[i].id = i;
-    nodes[i].type = reeb_node_type(down[i], up[i]);
-  }
+  std::vector<Reeb_node_type> types(number_of_nodes);
+  for (std::size_t i = 0; i < number_of_nodes; ++i)
+    types[i] = reeb_node_type(down[i], up[i]);
+  return types;
 }
 
-// Replaces the content of `graph`.
+// A graph type whose nodes can be made all at once.
 template <class MutableGraph>
-void write_graph(MutableGraph& graph,
-                 std::vector<Node_bundle<MutableGraph>>&& nodes,
-                 std::vector<Arc_bundle<MutableGraph>>&& arcs,
-                 const std::vector<Arc_ends>& ends)
+struct Makes_nodes_at_once : std::false_type
+{
+};
+
+template <class OutEdges, class Directed, class Node, class Arc, class Graph, class Edges>
+struct Makes_nodes_at_once<
+    boost::adjacency_list<OutEdges, boost::vecS, Directed, Node, Arc, Graph, Edges>>
+  : std::true_type
+{
+};
+
+// Makes a graph; `node(i)` and `arc(i)` give the bundles, whose numbers and types are set here.
+template <class MutableGraph, class Node, class Arc>
+MutableGraph make_graph(std::size_t number_of_nodes,
+                        const std::vector<Arc_ends>& ends,
+                        const Node& node,
+                        const Arc& arc)
 {
   using Graph_traits = boost::graph_traits<MutableGraph>;
   static_assert(std::is_convertible<typename Graph_traits::edge_parallel_category,
                                     boost::allow_parallel_edge_tag>::value,
                 "a Reeb graph needs a graph type that allows parallel edges");
 
-  graph = MutableGraph();
+  const std::vector<Reeb_node_type> types = types_of_nodes(number_of_nodes, ends);
+  const auto make_bundle = [&](std::size_t i) {
+    Node_bundle<MutableGraph> bundle = node(i);
+    bundle.id = i;
+    bundle.type = types[i];
+    return bundle;
+  };
+  const auto add_arcs = [&](MutableGraph& graph, const auto& descriptor) {
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto e = add_edge(descriptor(ends[i].lower), descriptor(ends[i].upper), graph).first;
+      Arc_bundle<MutableGraph>& bundle = get(boost::edge_bundle, graph)[e];
+      bundle = arc(i);
+      bundle.id = i;
+    }
+  };
 
-  std::vector<typename Graph_traits::vertex_descriptor> descriptors;
-  descriptors.reserve(nodes.size());
-  for (Node_bundle<MutableGraph>& node : nodes) {
-    descriptors.push_back(add_vertex(graph));
-    get(boost::vertex_bundle, graph)[descriptors.back()] = std::move(node);
-  }
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    const auto e = add_edge(descriptors[ends[i].lower], descriptors[ends[i].upper], graph).first;
-    get(boost::edge_bundle, graph)[e] = std::move(arcs[i]);
+  if constexpr (Makes_nodes_at_once<MutableGraph>::value) {
+    MutableGraph graph(number_of_nodes);
+    for (std::size_t i = 0; i < number_of_nodes; ++i)
+      graph[i] = make_bundle(i);
+    add_arcs(graph, [](std::size_t i) { return i; });
+    return graph;
+  } else {
+    MutableGraph graph;
+    std::vector<typename Graph_traits::vertex_descriptor> descriptors;
+    descriptors.reserve(number_of_nodes);
+    for (std::size_t i = 0; i < number_of_nodes; ++i) {
+      descriptors.push_back(add_vertex(graph));
+      get(boost::vertex_bundle, graph)[descriptors.back()] = make_bundle(i);
+    }
+    add_arcs(graph, [&](std::size_t i) { return descriptors[i]; });
+    return graph;
   }
 }
 
