@@ -38,20 +38,36 @@ using Node_bundle = typename boost::vertex_bundle_type<MutableGraph>::type;
 template <class MutableGraph>
 using Arc_bundle = typename boost::edge_bundle_type<MutableGraph>::type;
 
-// The type of every node, which follows from the arcs.
-inline std::vector<Reeb_node_type>
-types_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
+// The numbers of arcs below and above a node.
+struct Node_degrees
 {
-  std::vector<std::uint32_t> down(number_of_nodes, 0), up(number_of_nodes, 0);
+  std::uint32_t down = 0, up = 0;
+};
+
+inline std::vector<Node_degrees>
+degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
+{
+  std::vector<Node_degrees> result(number_of_nodes);
   for (const Arc_ends& arc : ends) {
-    ++up[arc.lower];
-    ++down[arc.upper];
+    ++result[arc.lower].up;
+    ++result[arc.upper].down;
   }
-  std::vector<Reeb_node_type> types(number_of_nodes);
-  for (std::size_t i = 0; i < number_of_nodes; ++i)
-    types[i] = reeb_node_type(down[i], up[i]);
-  return types;
+  return result;
 }
+
+// Boost's adjacency lists let the memory for the edges of a vertex be allocated at once. Where a function is
+// noisy, half of all time would go into letting it grow.
+template <class MutableGraph>
+auto reserve_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor v,
+                   std::size_t number,
+                   MutableGraph& graph) -> decltype(graph.out_edge_list(v).reserve(number))
+{
+  graph.out_edge_list(v).reserve(number);
+}
+
+template <class... Any>
+void reserve_edges(const Any&...)
+{}
 
 // A graph type whose nodes can be made all at once.
 template <class MutableGraph>
@@ -78,12 +94,13 @@ MutableGraph make_graph(std::size_t number_of_nodes,
                                     boost::allow_parallel_edge_tag>::value,
                 "a Reeb graph needs a graph type that allows parallel edges");
 
-  const std::vector<Reeb_node_type> types = types_of_nodes(number_of_nodes, ends);
-  const auto make_bundle = [&](std::size_t i) {
-    Node_bundle<MutableGraph> bundle = node(i);
+  const std::vector<Node_degrees> degrees = degrees_of_nodes(number_of_nodes, ends);
+  const auto set_node = [&](auto v, std::size_t i, MutableGraph& graph) {
+    reserve_edges(v, std::size_t(degrees[i].down) + degrees[i].up, graph);
+    Node_bundle<MutableGraph>& bundle = get(boost::vertex_bundle, graph)[v];
+    bundle = node(i);
     bundle.id = i;
-    bundle.type = types[i];
-    return bundle;
+    bundle.type = reeb_node_type(degrees[i].down, degrees[i].up);
   };
   const auto add_arcs = [&](MutableGraph& graph, const auto& descriptor) {
     for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -97,7 +114,7 @@ MutableGraph make_graph(std::size_t number_of_nodes,
   if constexpr (Makes_nodes_at_once<MutableGraph>::value) {
     MutableGraph graph(number_of_nodes);
     for (std::size_t i = 0; i < number_of_nodes; ++i)
-      graph[i] = make_bundle(i);
+      set_node(i, i, graph);
     add_arcs(graph, [](std::size_t i) { return i; });
     return graph;
   } else {
@@ -106,7 +123,7 @@ MutableGraph make_graph(std::size_t number_of_nodes,
     descriptors.reserve(number_of_nodes);
     for (std::size_t i = 0; i < number_of_nodes; ++i) {
       descriptors.push_back(add_vertex(graph));
-      get(boost::vertex_bundle, graph)[descriptors.back()] = make_bundle(i);
+      set_node(descriptors.back(), i, graph);
     }
     add_arcs(graph, [&](std::size_t i) { return descriptors[i]; });
     return graph;
