@@ -38,7 +38,7 @@ public:
     std::size_t size;
     std::uint32_t
         lowest; // an upper one: its components are put in the order of the smallest of these
-    std::vector<std::uint32_t> elements; // of an upper one, in the order of its edges
+    std::size_t elements_begin; // an upper one: where its elements are, in the order of its edges
   };
 
   // A component of the level set above the vertex.
@@ -50,12 +50,12 @@ public:
 
   // Gives `size` upper edges the elements of the lower ones, from the first of the former to the last of the
   // latter; more are added as needed: what a regular vertex does.
-  void replace(std::vector<std::uint32_t>& elements, std::size_t size)
+  void replace(std::vector<std::uint32_t>& run, std::size_t size)
   {
-    while (elements.size() < size)
-      elements.push_back(m_sequences.insert_after(elements.back()));
-    elements.resize(size);
-    std::reverse(elements.begin(), elements.end());
+    while (run.size() < size)
+      run.push_back(m_sequences.insert_after(run.back()));
+    run.resize(size);
+    std::reverse(run.begin(), run.end());
   }
 
   // The arc that a component belongs to, by one of its elements.
@@ -72,6 +72,7 @@ public:
     const std::size_t number = runs.size();
     arcs_below.clear();
     components.clear();
+    elements.clear();
     m_pieces.clear();
     m_left_of_gap.assign(number, no_piece);
     m_right_of_gap.assign(number, no_piece);
@@ -96,7 +97,9 @@ public:
     m_states.push_back({arc, component.is_closed});
   }
 
-  std::vector<Component> components; // above the last vertex passed
+  // Of the last vertex passed:
+  std::vector<Component> components;   // above it
+  std::vector<std::uint32_t> elements; // of the upper runs
 
 private:
   struct State
@@ -179,11 +182,13 @@ private:
   {
     Run& run = runs[i];
     std::uint32_t root = m_sequences.add();
-    run.elements.assign(1, root);
-    while (run.elements.size() < run.size)
-      run.elements.push_back(root = m_sequences.insert_after(run.elements.back()));
+    run.elements_begin = elements.size();
+    elements.push_back(root);
+    for (std::size_t k = 1; k < run.size; ++k)
+      elements.push_back(root = m_sequences.insert_after(root));
     // seen from the level set, the edges of upper runs come in reversed order
-    std::reverse(run.elements.begin(), run.elements.end());
+    std::reverse(elements.begin() + static_cast<std::ptrdiff_t>(run.elements_begin),
+                 elements.end());
     const std::size_t before = gap_before(runs, i), after = gap_after(runs, i);
     const std::size_t left = after == no_gap ? no_piece : m_left_of_gap[after];
     const std::size_t right = before == no_gap ? no_piece : m_right_of_gap[before];

@@ -199,7 +199,7 @@ private:
   {
     if (wedge.is_upper)
       for (std::size_t i = wedge.begin; i < wedge.end; ++i)
-        element(star.halfedges[i]) = run.elements[i - wedge.begin];
+        element(star.halfedges[i]) = m_level_sets.elements[run.elements_begin + i - wedge.begin];
   }
 
   // Lets the level rise past the runs, which makes a node unless one component goes in and one comes out.
@@ -249,7 +249,7 @@ private:
       pass(v);
       set_elements(star, star.wedges[2 * i - 1], m_runs[1]);
       if (i < number) {
-        strand.first = strand.last = m_runs[3].elements.front();
+        strand.first = strand.last = m_level_sets.elements[m_runs[3].elements_begin];
         strand.is_linked = true;
       } else {
         set_elements(star, star.wedges.back(), m_runs[3]);
