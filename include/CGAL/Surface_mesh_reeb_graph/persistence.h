@@ -44,7 +44,7 @@ enum Persistence_pair_kind {
   /// (ordinary pair of dimension 0).
   MINIMUM_PAIR,
   /// A maximum, and the node where its component of the superlevel set merges into one with a higher
-  /// maximum, that is, where it splits off (relative pair of dimension 1; in the surface of dimension 2).
+  /// maximum, that is, where it splits off (relative pair of dimension 1).
   MAXIMUM_PAIR,
   /// The lowest and the highest node of a connected component (extended pair of dimension 0). They are the
   /// same one if the component is an isolated node.
@@ -157,9 +157,10 @@ of loops as the graph has independent loops (arcs - nodes + components). So ever
 minimum, maximum, merge and split is in exactly one pair.
 
 The nodes are compared by their numbers, a strict total order also where values are equal; the values are only
-reported. The pairs of the extrema, and those of the components, are pairs of the function on the mesh as well. The pairs of
-loops are those of its extended pairs of dimension 1 that have a birth above the death (\cgalCite{bauer_2014}). As
-`compute_reeb_graph()` cancels them, no pair of an extremum has both ends in one plateau; loops in a plateau are reported.
+reported. They are pairs of the extended persistence of the function on the mesh: its ordinary and extended pairs of
+dimension 0, its relative ones of dimension 1, and those extended ones of dimension 1 that have their birth above
+their death (\cgalCite{bauer_2014}). As `compute_reeb_graph()` cancels them, no pair of an extremum
+has both ends in one plateau; loops in a plateau are reported.
 
 If the function is reversed, the graph is upside down: the pairs of minima and maxima change places,
 and those of components and loops their ends.
