@@ -724,6 +724,24 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
   arcs.emplace_back(2 * n, 2 * n + 1);
   BOOST_TEST((simplified(3 * n + 2, arcs) == one_arc));
 
+  // the same, but that the maxima stay: one after the other, upwards, they are hung on the last branch
+  arcs.clear();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(i, 2 * n - 1 - i);
+    arcs.emplace_back(n + i, 2 * n);
+    arcs.emplace_back(n + i, 2 * n + 1 + i);
+  }
+  for (std::size_t i = 0; i < 3 * n + 1; ++i)
+    values.push_back(static_cast<double>(i <= 2 * n ? i : 10 * n + i));
+  Graph graph = make_graph(values, arcs);
+  SMRG::simplify_reeb_graph(no_mesh,
+                            no_values,
+                            graph,
+                            SMRG::parameters::threshold_is_absolute(true).persistence_threshold(
+                                3 * static_cast<double>(n)));
+  BOOST_TEST(num_edges(graph) == 2 * n - 1);
+
   arcs.clear(); // a comb
   arcs.emplace_back(0, n + 1);
   for (std::size_t i = 0; i < n; ++i) {
@@ -732,15 +750,15 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
   }
   BOOST_TEST((simplified(2 * n + 2, arcs) == one_arc));
 
-  arcs.clear(); // branches on branches: the minimum i merges at 2 n - i into the branch of i - 1
-  arcs.emplace_back(0, 2 * n - 1);
+  arcs.clear(); // branches on branches: the minimum i merges into the branch of the minimum i - 1
+  arcs.emplace_back(0, 2 * n - 2);
   for (std::size_t i = 1; i < n; ++i) {
-    arcs.emplace_back(i, i + 1 < n ? 2 * n - 1 - i : 2 * n - i);
+    arcs.emplace_back(i, i + 1 < n ? 2 * n - 2 - i : 2 * n - 1 - i);
     if (i + 1 < n)
-      arcs.emplace_back(2 * n - 1 - i, 2 * n - i);
+      arcs.emplace_back(2 * n - 2 - i, 2 * n - 1 - i);
   }
-  arcs.emplace_back(2 * n - 1, 2 * n);
-  BOOST_TEST((simplified(2 * n + 1, arcs) == one_arc));
+  arcs.emplace_back(2 * n - 2, 2 * n - 1);
+  BOOST_TEST((simplified(2 * n, arcs) == one_arc));
 
   arcs.clear(); // a ladder
   for (std::size_t i = 0; i + 2 < n; ++i) {

@@ -66,20 +66,12 @@ public:
   }
 
 private:
-  // The arc that leaves the saddle where `arc` did when the pairs were found.
-  std::uint32_t arc_at_saddle(const Extremum_pair& pair, std::uint32_t arc)
-  {
-    return arc_after(arc, [&pair](std::uint32_t node) {
-      return pair.side == BELOW ? pair.saddle <= node : pair.saddle < node;
-    });
-  }
-
   // Of the extrema on the branch of the pair all others have been cancelled before, so every path away
   // from the saddle ends at the one of the pair.
   void find_path(const Extremum_pair& pair)
   {
     m_path.clear();
-    for (std::uint32_t arc = arc_at_saddle(pair, pair.arc); arc != no_arc;
+    for (std::uint32_t arc = heir(opposite_side(pair.side), pair.arc); arc != no_arc;
          arc = first_arc(pair.side, end_on(pair.side, arcs()[arc])))
       m_path.push_back(arc);
     CGAL_assertion(end_on(pair.side, arcs()[m_path.back()]) == pair.extremum);
@@ -89,10 +81,11 @@ private:
   {
     const Side side = pair.side;
     // the arc that the next node of the path is zipped to
-    std::uint32_t other_arc = arc_at_saddle(pair, pair.other_arc);
+    std::uint32_t other_arc = heir(opposite_side(side), pair.other_arc);
     std::uint32_t previous = pair.saddle;
     for (const std::uint32_t arc : m_path) {
       const std::uint32_t node = end_on(side, arcs()[arc]);
+      set_heir(opposite_side(side), arc, other_arc);
       const bool vanishes =
           number_of_arcs(side, node) == 0 && number_of_arcs(opposite_side(side), node) == 1;
       if (vanishes) {
@@ -102,7 +95,9 @@ private:
         while (lies_towards(opposite_side(side), end_on(side, arcs()[other_arc]), node))
           other_arc = first_arc(side, end_on(side, arcs()[other_arc]));
         const Arc_ends parts = cut(other_arc, node);
-        glue(arc, side == BELOW ? parts.upper : parts.lower);
+        const std::uint32_t nearer_part = side == BELOW ? parts.upper : parts.lower;
+        glue(arc, nearer_part);
+        set_heir(side, arc, nearer_part);
         other_arc = side == BELOW ? parts.lower : parts.upper;
       }
       pass_through(previous, other_arc);

@@ -30,7 +30,7 @@ namespace internal {
 struct Extremum_pair
 {
   std::uint32_t extremum, saddle;
-  std::uint32_t arc, other_arc; // at the saddle, towards the extremum and towards the elder one
+  std::uint32_t arc, other_arc; // at the saddle, towards the extremum and the eldest one there
   Side side;
   double persistence;
 };
@@ -95,8 +95,11 @@ private:
     std::iota(m_extremum.begin(), m_extremum.end(), 0);
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint32_t node = static_cast<std::uint32_t>(side == BELOW ? k : n - 1 - k);
+      const std::size_t number_of_pairs = m_pairs.size();
       for (std::size_t i = begin[node]; i < begin[node + 1]; ++i)
         add_arc(side, node, sorted[i]);
+      for (std::size_t i = number_of_pairs; i < m_pairs.size(); ++i)
+        m_pairs[i].other_arc = m_elder_arc;
     }
   }
 
@@ -111,24 +114,20 @@ private:
       return;
     }
     if (lies_towards(side, m_extremum[b], m_extremum[a])) {
-      add_pair(side, m_extremum[a], node, m_elder_arc, arc);
+      add_pair(side, m_extremum[a], node, m_elder_arc);
       m_elder_arc = arc;
     } else {
-      add_pair(side, m_extremum[b], node, arc, m_elder_arc);
+      add_pair(side, m_extremum[b], node, arc);
       m_extremum[b] = m_extremum[a];
     }
   }
 
-  void add_pair(Side side,
-                std::uint32_t extremum,
-                std::uint32_t saddle,
-                std::uint32_t arc,
-                std::uint32_t other_arc)
+  void add_pair(Side side, std::uint32_t extremum, std::uint32_t saddle, std::uint32_t arc)
   {
     const double persistence = side == BELOW
                                    ? persistence_between(m_values[extremum], m_values[saddle])
                                    : persistence_between(m_values[saddle], m_values[extremum]);
-    m_pairs.push_back({extremum, saddle, arc, other_arc, side, persistence});
+    m_pairs.push_back({extremum, saddle, arc, no_arc, side, persistence});
   }
 
   const std::vector<double>& m_values;

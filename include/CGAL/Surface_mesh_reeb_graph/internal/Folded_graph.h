@@ -49,12 +49,15 @@ public:
   Folded_graph(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
     : m_arcs(arcs)
     , m_fates(arcs.size())
+    , m_heirs(arcs.size())
     , m_links(arcs.size())
     , m_arcs_of_node(number_of_nodes)
     , m_is_removed(number_of_nodes, false)
   {
-    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
+      m_heirs[arc] = {arc, arc};
       attach(arc);
+    }
   }
 
   std::size_t number_of_nodes() const { return m_arcs_of_node.size(); }
@@ -100,7 +103,19 @@ public:
     }
   }
 
-  // Removes an arc whose points are glued to points of `other`.
+  // The arc that now has the end of `arc` on a side.
+  std::uint32_t heir(Side side, std::uint32_t arc)
+  {
+    while (m_heirs[arc][side] != arc)
+      arc = m_heirs[arc][side] = m_heirs[m_heirs[arc][side]][side];
+    return arc;
+  }
+
+  // Lets the end of `arc` on a side be that of `other`.
+  void set_heir(Side side, std::uint32_t arc, std::uint32_t other) { m_heirs[arc][side] = other; }
+
+  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they are
+  // set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
     detach(arc);
@@ -115,6 +130,7 @@ public:
     const std::uint32_t lower_arc = add_arc({m_arcs[arc].lower, node});
     const std::uint32_t upper_arc = add_arc({node, m_arcs[arc].upper});
     m_fates[arc] = {IS_CUT, lower_arc, upper_arc, node};
+    m_heirs[arc] = {lower_arc, upper_arc};
     return {lower_arc, upper_arc};
   }
 
@@ -132,6 +148,8 @@ public:
     const std::uint32_t arc = add_arc({m_arcs[below].lower, m_arcs[above].upper});
     glue(below, arc);
     glue(above, arc);
+    set_heir(BELOW, below, arc);
+    set_heir(ABOVE, above, arc);
     return arc;
   }
 
@@ -164,6 +182,7 @@ private:
     const std::uint32_t arc = static_cast<std::uint32_t>(m_arcs.size());
     m_arcs.push_back(ends);
     m_fates.emplace_back();
+    m_heirs.push_back({arc, arc});
     m_links.emplace_back();
     attach(arc);
     return arc;
@@ -192,7 +211,8 @@ private:
   }
 
   std::vector<Arc_ends> m_arcs;
-  std::vector<Fate> m_fates;                 // by arc
+  std::vector<Fate> m_fates;                         // by arc
+  std::vector<std::array<std::uint32_t, 2>> m_heirs; // by arc and side; paths are halved
   std::vector<std::array<Links, 2>> m_links; // by arc and side, in the list of the arc's other end
   std::vector<std::array<Arcs_of_side, 2>> m_arcs_of_node;
   std::vector<bool> m_is_removed;
