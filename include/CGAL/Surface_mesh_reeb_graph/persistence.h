@@ -166,7 +166,7 @@ If the function is reversed, the graph is upside down: the pairs of minima and m
 and those of components and loops their ends.
 
 The loops are found in one pass upwards, as in \cgalCite{tu_2019}, but in worst-case O(log m) time each: by a
-maximum spanning forest of the arcs so far, in a link-cut tree.
+maximum spanning forest of the arcs so far, in a link-cut tree (\cgalCite{sleator_1985}).
 
 \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with bundled properties that have (at least) the members
         `id` and `value` of `Reeb_node` and `id` of `Reeb_arc`; for example any graph that `compute_reeb_graph()` fills
