@@ -7,6 +7,7 @@
 #include "reeb_graph_checks.h"
 
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
@@ -465,6 +466,47 @@ BOOST_AUTO_TEST_CASE(branches_and_loops_of_random_graphs_are_simplified)
       }
       for (const Extended_pair& pair : oracle_pairs(graph))
         BOOST_TEST(!is_loop(pair));
+    }
+  }
+}
+
+// Points of the arcs, at all heights between the nodes: the short way to their new arcs agrees with the
+// long one, whatever has been asked before; and if no branch was cancelled as a whole the height is right.
+BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
+{
+  for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Graph graph = random_graph(rng, seed % 2 == 1);
+      const std::vector<double> values = values_of(graph);
+      Branch_cancellation folded(values, arc_ends_of(graph));
+      const bool has_only_loops = seed % 3 == 0;
+      const double threshold = random_unit(rng) * (values.back() + 1);
+      if (!has_only_loops)
+        folded.run([&](const SMRG::internal::Extremum_pair& pair) {
+          return pair.persistence < threshold;
+        });
+      close_loops(folded, values, seed % 3 == 1 ? 0 : random_unit(rng) * (values.back() + 1));
+
+      SMRG::internal::Arc_images images(folded);
+      std::vector<Rank_pair> points; // an arc and the node just below the point
+      const std::vector<Rank_pair> arcs = arcs_of(graph);
+      for (std::size_t arc = 0; arc < arcs.size(); ++arc)
+        for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node)
+          points.emplace_back(arc, node);
+      shuffle(points, rng);
+      for (const Rank_pair& point : points) {
+        const auto is_below = [&point](const std::uint32_t node) { return point.second < node; };
+        const std::uint32_t arc = static_cast<std::uint32_t>(point.first);
+        const std::uint32_t image = images.arc_after(arc, is_below);
+        BOOST_TEST(folded.is_arc(image));
+        BOOST_TEST(image == folded.arc_after(arc, is_below));
+        if (has_only_loops) {
+          BOOST_TEST(folded.arcs()[image].lower <= point.second);
+          BOOST_TEST(folded.arcs()[image].upper > point.second);
+        }
+      }
     }
   }
 }

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
@@ -210,8 +211,8 @@ neighbor afterwards, at the same height (\cgalCite{agarwal_2006}). Pairs of pers
 cancelled. The lowest minimum and the highest maximum of a component always stay.
 
 <b>Loops</b> stay unless `loop_persistence_threshold` is given. Then, after the branches, the loops below that threshold are
-closed, those with the lowest merges first: the cycle of the pair of split and merge is folded flat, from its highest node
-downwards, so that points of the same height become one; what hung on the cycle hangs on the fold, at the
+closed, those with the lowest merges first: the cycle of the pair of split and merge (of those that the merge completes
+one whose lowest node, the split, lies highest) is folded flat, from its highest node downwards, so that points of the same height become one; what hung on the cycle hangs on the fold, at the
 same height. Every closed loop makes the number of loops smaller by exactly one, and none of persistence below the
 threshold is left.
 
@@ -262,7 +263,7 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
-    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch go to the arc that it hung on}
+    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch that is a single arc go to the arc that it hung on, those of other branches and of loops to the points of the same height}
     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an integer type as value type}
     \cgalParamDefault{no map}
     \cgalParamExtra{`Reeb_arc::vertices` is brought up to date as well if it has been filled.}
@@ -279,10 +280,10 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed on the paths that are zipped together when
-other branches hang on a cancelled one, plus O(log m) for every node on the cycle of a closed loop. If there is anything to bring up to
-date for vertices or faces, every one of them follows the cuts that its arc has seen: O(1) if nothing
-hung on the branches.
+Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed on the paths that are
+zipped together when other branches hang on a cancelled one, plus O(log m) for every node on the cycle of a closed loop;
+O(m log m) again as often as closing loops has changed other pairs. If there is anything to bring up to date for
+*n* vertices or faces, O(n log m) more, as long as the vertices lie between the ends of the arcs that they go to.
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is negative, if a value is not a
         number, if the nodes or arcs of the graph are not numbered or the values of the nodes not sorted as `compute_reeb_graph()`
@@ -345,8 +346,9 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(
         tmesh, scalar_map, vertex_index_map);
 
+    internal::Arc_images arc_images(folded);
     const auto arc_after = [&](vertex_descriptor v, std::size_t arc) {
-      return remaining.position_of_arc[folded.arc_after(
+      return remaining.position_of_arc[arc_images.arc_after(
           static_cast<std::uint32_t>(arc),
           [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
     };

@@ -31,7 +31,8 @@ namespace internal {
 // if other arcs hang on it, they hang on the other path afterwards, at their own heights. A zip
 // removes its pair and leaves all other extended persistence pairs as they are, loops included.
 //
-// Vertices of the mesh follow their arcs: those of a cancelled branch go to the arc that it hung on.
+// Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that it
+// hung on, others to the points of the same height.
 class Branch_cancellation : public Folded_graph
 {
 public:
@@ -83,27 +84,47 @@ private:
     // the arc that the next node of the path is zipped to
     std::uint32_t other_arc = heir(opposite_side(side), pair.other_arc);
     std::uint32_t previous = pair.saddle;
-    for (const std::uint32_t arc : m_path) {
-      const std::uint32_t node = end_on(side, arcs()[arc]);
-      set_heir(opposite_side(side), arc, other_arc);
+    for (const std::uint32_t path_arc : m_path) {
+      const std::uint32_t node = end_on(side, arcs()[path_arc]);
       const bool vanishes =
           number_of_arcs(side, node) == 0 && number_of_arcs(opposite_side(side), node) == 1;
       if (vanishes) {
-        glue(arc, other_arc);
+        set_heir(opposite_side(side), path_arc, other_arc);
+        glue(path_arc, other_arc);
         remove_node(node);
       } else {
-        while (lies_towards(opposite_side(side), end_on(side, arcs()[other_arc]), node))
-          other_arc = first_arc(side, end_on(side, arcs()[other_arc]));
-        const Arc_ends parts = cut(other_arc, node);
-        const std::uint32_t nearer_part = side == BELOW ? parts.upper : parts.lower;
-        glue(arc, nearer_part);
-        set_heir(side, arc, nearer_part);
-        other_arc = side == BELOW ? parts.lower : parts.upper;
+        std::uint32_t arc = path_arc; // what is not glued yet
+        for (std::uint32_t passed = end_on(side, arcs()[other_arc]);
+             lies_towards(opposite_side(side), passed, node);
+             passed = end_on(side, arcs()[other_arc]))
+        {
+          const Parts parts = cut_seen_from(opposite_side(side), arc, passed);
+          set_heir(opposite_side(side), parts.near, other_arc);
+          glue(parts.near, other_arc);
+          arc = parts.far;
+          other_arc = first_arc(side, passed);
+        }
+        const Parts parts = cut_seen_from(opposite_side(side), other_arc, node);
+        set_heir(opposite_side(side), arc, parts.near);
+        set_heir(side, arc, parts.near);
+        glue(arc, parts.near);
+        other_arc = parts.far;
       }
       pass_through(previous, other_arc);
       previous = node;
     }
     pass_through(previous, other_arc);
+  }
+
+  struct Parts
+  {
+    std::uint32_t near, far;
+  };
+
+  Parts cut_seen_from(Side side, std::uint32_t arc, std::uint32_t node)
+  {
+    const Arc_ends parts = cut(arc, node);
+    return side == BELOW ? Parts{parts.lower, parts.upper} : Parts{parts.upper, parts.lower};
   }
 
   // Keeps `other_arc` up to date if it is one of the two arcs at the node.
