@@ -37,27 +37,29 @@ namespace Surface_mesh_reeb_graph {
 \ingroup PkgSurfaceMeshReebGraphClasses
 
 The kinds of pairs of extended persistence that a Reeb graph has. Birth and death are those of
-\cgalCite{cohen_steiner_2009}: first the sublevel sets grow, then the superlevel sets are filled from the top.
+\cgalCite{cohen_steiner_2009}: first the sublevel sets grow, then the superlevel sets are filled
+from the top.
 */
 enum Persistence_pair_kind {
-  /// A minimum, and the node where its component of the sublevel set merges into one with a lower minimum
-  /// (ordinary pair of dimension 0).
+  /// A minimum, and the node where its component of the sublevel set merges into one with a lower
+  /// minimum (ordinary pair of dimension 0).
   MINIMUM_PAIR,
-  /// A maximum, and the node where its component of the superlevel set merges into one with a higher
-  /// maximum, that is, where it splits off (relative pair of dimension 1).
+  /// A maximum, and the node where its component of the superlevel set merges into one with a
+  /// higher maximum, that is, where it splits off (relative pair of dimension 1).
   MAXIMUM_PAIR,
-  /// The lowest and the highest node of a connected component (extended pair of dimension 0). They are the
-  /// same one if the component is an isolated node.
+  /// The lowest and the highest node of a connected component (extended pair of dimension 0). They
+  /// are the same one if the component is an isolated node.
   COMPONENT_PAIR,
-  /// The merge that completes a loop, and the split where the loop begins (extended pair of dimension 1).
+  /// The merge that completes a loop, and the split where the loop begins (extended pair of
+  /// dimension 1).
   LOOP_PAIR
 };
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-A persistence pair of a Reeb graph. `birth` is the minimum, maximum, minimum or merge, `death` the merge,
-split, maximum or split, for the kinds of pairs in the order of `Persistence_pair_kind`.
+A persistence pair of a Reeb graph. `birth` is the minimum, maximum, minimum or merge, `death` the
+merge, split, maximum or split, for the kinds of pairs in the order of `Persistence_pair_kind`.
 
 \tparam Graph the type of the Reeb graph
 
@@ -88,8 +90,8 @@ struct Persistence_pair
   /// returns the node of the two that lies higher.
   node_descriptor upper() const { return is_birth_lower() ? death : birth; }
 
-  /// returns the difference of the values, not negative, also of numbers that are no floating-point ones.
-  /// It is 0 for equal infinite values.
+  /// returns the difference of the values, not negative, also of numbers that are no floating-point
+  /// ones. It is 0 for equal infinite values.
   double persistence() const
   {
     return is_birth_lower() ? internal::difference(birth_value, death_value)
@@ -147,29 +149,33 @@ persistence_pairs(const std::vector<double>& values, const std::vector<Arc_ends>
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-computes the persistence pairs of a Reeb graph: its extended persistence (\cgalCite{cohen_steiner_2009}).
+computes the persistence pairs of a Reeb graph: its extended persistence
+(\cgalCite{cohen_steiner_2009}).
 
-Every node without arcs below is the birth of a pair of a minimum, or the lowest one of its component;
-every node without arcs above is the birth of a pair of a maximum, or the highest one of its component; a node with
-*d* > 1 arcs below is the second node of pairs of minima and the first node of pairs of loops, *d* - 1 together; one
-with *d* > 1 arcs above is the second node of pairs of maxima and of loops, *d* - 1 together. There are as many pairs
-of loops as the graph has independent loops (arcs - nodes + components). So every node of one of the types
-minimum, maximum, merge and split is in exactly one pair.
+Every node without arcs below is the birth of a pair of a minimum, or the lowest one of its
+component; every node without arcs above is the birth of a pair of a maximum, or the highest one of
+its component; a node with *d* > 1 arcs below is the second node of pairs of minima and the first
+node of pairs of loops, *d* - 1 together; one with *d* > 1 arcs above is the second node of pairs of
+maxima and of loops, *d* - 1 together. There are as many pairs of loops as the graph has independent
+loops (arcs - nodes + components). So every node of one of the types minimum, maximum, merge and
+split is in exactly one pair.
 
-The nodes are compared by their numbers, a strict total order also where values are equal; the values are only
-reported. They are pairs of the extended persistence of the function on the mesh: its ordinary and extended pairs of
-dimension 0, its relative ones of dimension 1, and those extended ones of dimension 1 that have their birth above
-their death (\cgalCite{bauer_2014}). As `compute_reeb_graph()` cancels them, no pair of an extremum
-has both ends in one plateau; loops in a plateau are reported.
+The nodes are compared by their numbers, a strict total order also where values are equal; the
+values are only reported. They are pairs of the extended persistence of the function on the mesh:
+its ordinary and extended pairs of dimension 0, its relative ones of dimension 1, and those extended
+ones of dimension 1 that have their birth above their death (\cgalCite{bauer_2014}). As
+`compute_reeb_graph()` cancels them, no pair of an extremum has persistence 0; such loops are
+reported.
 
 If the function is reversed, the graph is upside down: the pairs of minima and maxima change places,
 and those of components and loops their ends.
 
-The loops are found in one pass upwards, as in \cgalCite{tu_2019}, but in worst-case O(log m) time each: by a
-maximum spanning forest of the arcs so far, in a link-cut tree (\cgalCite{sleator_1985}).
+The loops are found in one pass upwards, as in \cgalCite{tu_2019}, but in amortized O(log m) time
+each: by a maximum spanning forest of the arcs so far, in a link-cut tree (\cgalCite{sleator_1985}).
 
-\tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with bundled properties that have (at least) the members
-        `id` and `value` of `Reeb_node` and `id` of `Reeb_arc`; for example any graph that `compute_reeb_graph()` fills
+\tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with bundled properties that have (at
+        least) the members `id` and `value` of `Reeb_node` and `id` of `Reeb_arc`; for example any
+        graph that `compute_reeb_graph()` fills
 \tparam OutputIterator a model of `OutputIterator` with value type `Persistence_pair<Graph>`
 
 \param graph a Reeb graph that `compute_reeb_graph()` or `simplify_reeb_graph()` has made
@@ -179,8 +185,9 @@ maximum spanning forest of the arcs so far, in a link-cut tree (\cgalCite{sleato
 
 Takes O(m log m) time for a graph with *m* nodes and arcs.
 
-\throws Reeb_graph_error if a value is not a number, if nodes or arcs are not numbered from 0 without gaps, or if the values do
-        not increase with the numbers; nothing is written to `out` then
+\throws Reeb_graph_error if a value is not a number, if nodes or arcs are not numbered from 0
+        without gaps, or if the values do not increase with the numbers; nothing is written to `out`
+        then
 
 \sa `IO::write_persistence_diagram()`
 \sa `simplify_reeb_graph()`

@@ -68,6 +68,25 @@ std::size_t checked_number_of_leaves(const NamedParameters& np)
   return static_cast<std::size_t>(number);
 }
 
+// What the user asks for.
+struct Simplification_parameters
+{
+  double threshold, loop_threshold;
+  std::size_t number_of_leaves;
+  bool is_absolute;
+};
+
+// Throws if a parameter is wrong.
+template <class NamedParameters>
+Simplification_parameters simplification_parameters(const NamedParameters& np)
+{
+  return {
+      checked_threshold(np, tags::persistence_threshold, "persistence threshold"),
+      checked_threshold(np, tags::loop_persistence_threshold, "persistence threshold of the loops"),
+      checked_number_of_leaves(np),
+      choose_own_parameter(np, tags::threshold_is_absolute, false)};
+}
+
 // The half of a difference, which does not overflow.
 inline double half_of_difference(double lower, double upper)
 {
@@ -123,38 +142,42 @@ class Simplification
 public:
   Simplification(const std::vector<double>& values,
                  const std::vector<Arc_ends>& ends,
-                 bool threshold_is_absolute)
-    : m_values(values), m_ends(ends), m_is_absolute(threshold_is_absolute), m_folded(values, ends)
+                 const Simplification_parameters& parameters)
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
   {}
 
   Branch_cancellation& folded_graph() { return m_folded; }
 
-  void run(double threshold, std::size_t number_of_leaves, double loop_threshold)
+  void run()
   {
-    const std::vector<double> thresholds = thresholds_of_nodes(threshold);
-    cancel_branches(thresholds, number_of_leaves);
-    if (loop_threshold > 0) {
-      const std::vector<double> loop_thresholds = thresholds_of_nodes(loop_threshold);
-      const bool has_changed_other_pairs = Loop_closing(m_folded).run([&](const Loop_pair& loop) {
-        return persistence_between(m_values[loop.split], m_values[loop.merge]) <
-               loop_thresholds[loop.merge];
-      });
-      if (has_changed_other_pairs)
-        cancel_branches(thresholds, number_of_leaves);
-    }
+    cancel_branches();
+    if (m_parameters.loop_threshold > 0 && close_loops())
+      cancel_branches();
   }
 
 private:
   std::vector<double> thresholds_of_nodes(double threshold) const
   {
-    return m_is_absolute ? std::vector<double>(m_values.size(), threshold)
-                         : fractions_of_component_ranges(m_values, m_ends, threshold);
+    return m_parameters.is_absolute ? std::vector<double>(m_values.size(), threshold)
+                                    : fractions_of_component_ranges(m_values, m_ends, threshold);
   }
 
-  void cancel_branches(const std::vector<double>& thresholds, std::size_t number_of_leaves)
+  // Returns whether pairs of extrema may have changed.
+  bool close_loops()
   {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
+    return Loop_closing(m_folded).run([&](const Loop_pair& loop) {
+      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
+             thresholds[loop.merge];
+    });
+  }
+
+  void cancel_branches()
+  {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
     m_folded.run(
         [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
+    const std::size_t number_of_leaves = m_parameters.number_of_leaves;
     if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
       return;
     std::size_t number = 0;
@@ -166,7 +189,7 @@ private:
       return;
 
     std::vector<Extremum_pair> pairs = m_folded.pairs();
-    if (!m_is_absolute)
+    if (!m_parameters.is_absolute)
       sort_by_relative_persistence(pairs);
     pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
     for (const Extremum_pair& pair : pairs)
@@ -191,7 +214,7 @@ private:
 
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_ends;
-  bool m_is_absolute;
+  Simplification_parameters m_parameters;
   Branch_cancellation m_folded;
 };
 
@@ -202,35 +225,39 @@ private:
 
 simplifies a Reeb graph by cancelling its branches, and on demand its loops, of small persistence.
 
-<b>Branches.</b> The pairs are those that `persistence_pairs()` gives: a minimum with the node where its component
-of the sublevel set merges into one that has a lower minimum, and a maximum with a node, upside down. The
-persistence of a pair is the difference of the two values. Pairs are cancelled in the order of their
-persistence, those below the threshold and then as many more as the number of leaves asks for. Every cancellation
-takes away one branch and changes no other pair and no loop: what hung on a cancelled branch hangs on its
-neighbor afterwards, at the same height (\cgalCite{agarwal_2006}). Pairs of persistence zero are always
-cancelled. The lowest minimum and the highest maximum of a component always stay.
+<b>Branches.</b> The pairs are those that `persistence_pairs()` gives: a minimum with the node where
+its component of the sublevel set merges into one that has a lower minimum, and a maximum with a
+node, upside down. The persistence of a pair is the difference of the two values. Pairs are
+cancelled in the order of their persistence, those below the threshold and then as many more as the
+number of leaves asks for. Every cancellation takes away one branch and changes no other pair and no
+loop: what hung on a cancelled branch hangs on its neighbor afterwards, at the same height
+(\cgalCite{agarwal_2006}). Pairs of persistence zero are always cancelled. The lowest minimum and
+the highest maximum of a component always stay.
 
-<b>Loops</b> stay unless `loop_persistence_threshold` is given. Then, after the branches, the loops below that threshold are
-closed, those with the lowest merges first: the cycle of the pair of split and merge (of those that the merge completes
-one whose lowest node, the split, lies highest) is folded flat, from its highest node downwards, so that points of the same height become one; what hung on the cycle hangs on the fold, at the
-same height. Every closed loop makes the number of loops smaller by exactly one, and none of persistence below the
-threshold is left.
+<b>Loops</b> stay unless `loop_persistence_threshold` is given. Then, after the branches, the loops
+below that threshold are closed, those with the lowest merges first: the cycle of the pair of split
+and merge (of those that the merge completes one whose lowest node, the split, lies highest) is
+folded flat, from its highest node downwards, so that points of the same height become one; what
+hung on the cycle hangs on the fold, at the same height. Every closed loop makes the number of loops
+smaller by exactly one, and none of persistence below the threshold is left.
 
-- If the function is monotone on both sides of the cycle, from the split to the merge, then closing the loop takes away
-  its pair and changes no other pair, neither of extrema nor of loops.
-- Otherwise the cycle has turning points: nodes on it where branches or other loops leave in the wrong direction, and no fold
-  is that exact. The pairs of extrema may then change, each by at most the persistence of the loop, and always
-  towards smaller persistence; other loops may change as well. Loops and branches that fall below
-  their thresholds thereby are taken away, too.
+- If the function is monotone on both sides of the cycle, from the split to the merge, then closing
+  the loop takes away its pair and changes no other pair, neither of extrema nor of loops.
+- Otherwise the cycle has turning points: nodes on it where branches or other loops leave in the
+  wrong direction, and no fold is that exact. The pairs of extrema may then change, each by at most
+  the persistence of the loop, and always towards smaller persistence; other loops may change as
+  well. Loops and branches that fall below their thresholds thereby are taken away, too.
 
-The nodes that stay keep their bundles, only `id` and `type` are brought up to date; the arcs are new.
+The nodes that stay keep their bundles, only `id` and `type` are brought up to date; the arcs are
+new.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value
-        type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as
+        value type
 \tparam MutableGraph as in `compute_reeb_graph()`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
@@ -280,14 +307,16 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed on the paths that are
-zipped together when other branches hang on a cancelled one, plus O(log m) for every node on the cycle of a closed loop;
-O(m log m) again as often as closing loops has changed other pairs. If there is anything to bring up to date for
-*n* vertices or faces, O(n log m) more, as long as the vertices lie between the ends of the arcs that they go to.
+Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed
+on the paths that are zipped together when other branches hang on a cancelled one, plus O(log m) for
+every node on the cycle of a closed loop; O(m log m) again as often as closing loops has changed
+other pairs. If there is anything to bring up to date for *n* vertices or faces, O(n log m) more, as
+long as the vertices lie between the ends of the arcs that they go to.
 
-\throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is negative, if a value is not a
-        number, if the nodes or arcs of the graph are not numbered or the values of the nodes not sorted as `compute_reeb_graph()`
-        does it, or if graph and maps do not belong together; `graph` and the maps are then left as they were
+\throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
+        negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
+        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph and maps
+        do not belong together; `graph` and the maps are then left as they were
 
 \sa `compute_reeb_graph()`
 \sa `persistence_pairs()`
@@ -312,13 +341,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       !CGAL::parameters::is_default_parameter<NamedParameters,
                                               internal::tags::face_arc_map_t>::value;
 
-  const double threshold = internal::checked_threshold(
-      np, internal::tags::persistence_threshold, "persistence threshold");
-  const double loop_threshold = internal::checked_threshold(
-      np, internal::tags::loop_persistence_threshold, "persistence threshold of the loops");
-  const std::size_t number_of_leaves = internal::checked_number_of_leaves(np);
-  const bool is_absolute =
-      internal::choose_own_parameter(np, internal::tags::threshold_is_absolute, false);
+  const internal::Simplification_parameters parameters = internal::simplification_parameters(np);
 
   std::vector<Node> nodes;
   std::vector<Arc> arcs;
@@ -326,8 +349,8 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   internal::read_graph(graph, nodes, arcs, ends);
 
   const std::vector<double> values = internal::values_of_nodes(nodes);
-  internal::Simplification simplification(values, ends, is_absolute);
-  simplification.run(threshold, number_of_leaves, loop_threshold);
+  internal::Simplification simplification(values, ends, parameters);
+  simplification.run();
   internal::Branch_cancellation& folded = simplification.folded_graph();
   const internal::Remaining_graph remaining = internal::remaining_graph(folded, nodes.size());
 
@@ -352,8 +375,8 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
           static_cast<std::uint32_t>(arc),
           [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
     };
-    // The vertices of the nodes that stay belong to an arc of the node whatever their old arc became.
-    // Several nodes may lie at one vertex: it belongs to an arc of the first one.
+    // The vertices of the nodes that stay belong to an arc of the node whatever their old arc
+    // became. Several nodes may lie at one vertex: it belongs to an arc of the first one.
     std::vector<std::uint32_t> arc_of_node_vertex(internal::index_bound(tmesh, vertex_index_map),
                                                   internal::no_arc);
     for (std::size_t i = 0; i < remaining_nodes.size(); ++i) {

@@ -29,9 +29,10 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
-writes the persistence pairs of a Reeb graph as text that GUDHI reads (`read_persistence_intervals_in_dimension()` and
-the like). A line for every pair has a dimension and the lower and the higher one of the two values, so that
-the intervals are proper ones for all tools there:
+writes the persistence pairs of a Reeb graph as text that GUDHI reads
+(`read_persistence_intervals_in_dimension()` and the like). A line for every pair has a dimension
+and the lower and the higher one of the two values, so that the intervals are proper ones for all
+tools there:
 
 | kind of pair | dimension | interval |
 |--------------|-----------|----------|
@@ -40,9 +41,10 @@ the intervals are proper ones for all tools there:
 | `MAXIMUM_PAIR` | 1 | value of the split, value of the maximum |
 | `LOOP_PAIR` | 1 | value of the split, value of the merge |
 
-The dimensions are those of extended persistence, where the birth of a pair of dimension 1 is the higher
-value. The kinds come in this order, each after a line that begins with `#` and says which it is. No interval ends at infinity unless the function
-does: extended persistence pairs all nodes. Intervals of length 0 are written, too.
+The dimensions are those of extended persistence, where the birth of a pair of dimension 1 is the
+higher value. The kinds come in this order, each after a line that begins with `#` and says which it
+is. No interval ends at infinity unless the function does: extended persistence pairs all nodes.
+Intervals of length 0 are written, too.
 
 Values are converted to `double` and written such that these can be read back exactly.
 

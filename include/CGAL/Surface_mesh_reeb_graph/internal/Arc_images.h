@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Where the vertices of the arcs of a graph go when it is folded, as Folded_graph::arc_after() says. An
-// arc may have been cut and joined again very often. But what is left of it is a path upwards: two
-// vertices of an arc between the ends of one arc that is left go the same way, so that only the first one must
-// follow what has happened.
+// Where the vertices of the arcs of a graph go when it is folded, as Folded_graph::arc_after()
+// says. An arc may have been cut and joined again very often. But what is left of it is a path
+// upwards: two vertices of an arc between the ends of one arc that is left go the same way, so that
+// only the first one must follow what has happened.
 class Arc_images
 {
 public:

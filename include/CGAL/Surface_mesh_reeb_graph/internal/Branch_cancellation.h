@@ -25,14 +25,15 @@ namespace internal {
 
 // Cancels (minimum, merge) and (maximum, split) pairs of a Reeb graph.
 //
-// To cancel a minimum, two paths are zipped together that descend from its saddle, one to the minimum,
-// the other past its height: points of the same height become one (Agarwal, Edelsbrunner, Harer, Wang,
-// "Extreme elevation on a 2-manifold", 2006). If the branch is a single arc, the zip just takes it away;
-// if other arcs hang on it, they hang on the other path afterwards, at their own heights. A zip
-// removes its pair and leaves all other extended persistence pairs as they are, loops included.
+// To cancel a minimum, two paths are zipped together that descend from its saddle, one to the
+// minimum, the other past its height: points of the same height become one (Agarwal, Edelsbrunner,
+// Harer, Wang, "Extreme elevation on a 2-manifold", 2006). If the branch is a single arc, the zip
+// just takes it away; if other arcs hang on it, they hang on the other path afterwards, at their
+// own heights. A zip removes its pair and leaves all other extended persistence pairs as they are,
+// loops included.
 //
-// Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that it
-// hung on, others to the points of the same height.
+// Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that
+// it hung on, others to the points of the same height.
 class Branch_cancellation : public Folded_graph
 {
 public:
@@ -48,8 +49,8 @@ public:
         .run();
   }
 
-  // Cancels all pairs of persistence 0, and those for which `is_small(pair)` holds; if it holds for a
-  // pair, it must hold for all pairs of smaller persistence in the same component.
+  // Cancels all pairs of persistence 0, and those for which `is_small(pair)` holds; if it holds for
+  // a pair, it must hold for all pairs of smaller persistence in the same component.
   template <class IsSmall>
   void run(const IsSmall& is_small)
   {
@@ -58,8 +59,8 @@ public:
         cancel(pair);
   }
 
-  // Cancels one of `pairs()`; all that come before it in the same component must have been cancelled, and
-  // nothing else have changed since then.
+  // Cancels one of `pairs()`; all that come before it in the same component must have been
+  // cancelled, and nothing else have changed since then.
   void cancel(const Extremum_pair& pair)
   {
     find_path(pair);
@@ -67,8 +68,8 @@ public:
   }
 
 private:
-  // Of the extrema on the branch of the pair all others have been cancelled before, so every path away
-  // from the saddle ends at the one of the pair.
+  // Of the extrema on the branch of the pair all others have been cancelled before, so every path
+  // away from the saddle ends at the one of the pair.
   void find_path(const Extremum_pair& pair)
   {
     m_path.clear();

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A persistence pair: on the side BELOW a minimum and the node where its component of the sublevel set
-// merges into one with a lower minimum; on the side ABOVE a maximum and a node, upside down.
+// A persistence pair: on the side BELOW a minimum and the node where its component of the sublevel
+// set merges into one with a lower minimum; on the side ABOVE a maximum and a node, upside down.
 struct Extremum_pair
 {
   std::uint32_t extremum, saddle;
@@ -44,8 +44,8 @@ inline double persistence_between(double lower, double upper)
 class Extremum_pairing
 {
 public:
-  // `values` increase with the nodes. Of `arcs`, those for which `is_arc(arc)` holds are the arcs of a
-  // Reeb graph.
+  // `values` increase with the nodes. Of `arcs`, those for which `is_arc(arc)` holds are the arcs
+  // of a Reeb graph.
   template <class IsArc>
   Extremum_pairing(const std::vector<double>& values,
                    const std::vector<Arc_ends>& arcs,

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph upside
-// down, so the code says it once, for a side.
+// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph
+// upside down, so the code says it once, for a side.
 enum Side { BELOW = 0, ABOVE = 1 };
 
 inline Side opposite_side(Side side)
@@ -40,9 +40,10 @@ inline std::uint32_t end_on(Side side, const Arc_ends& arc)
   return side == BELOW ? arc.lower : arc.upper;
 }
 
-// A Reeb graph while it is simplified: points of the same height are glued to each other, so that arcs
-// are cut at the heights of nodes and go into other arcs. It remembers what became of every arc, for
-// the vertices of the mesh to follow. All changes take constant time, also at nodes with many arcs.
+// A Reeb graph while it is simplified: points of the same height are glued to each other, so that
+// arcs are cut at the heights of nodes and go into other arcs. It remembers what became of every
+// arc, for the vertices of the mesh to follow. All changes take constant time, also at nodes with
+// many arcs.
 class Folded_graph
 {
 public:
@@ -83,8 +84,8 @@ public:
   // The next arc on the same side of the same node.
   std::uint32_t next_arc(Side side, std::uint32_t arc) const { return m_links[arc][side].next; }
 
-  // The arc that a vertex belongs to which belonged to `arc` at the beginning. `is_below(node)` tells
-  // whether the vertex lies below a node.
+  // The arc that a vertex belongs to which belonged to `arc` at the beginning. `is_below(node)`
+  // tells whether the vertex lies below a node.
   template <class IsBelow>
   std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
   {
@@ -114,8 +115,8 @@ public:
   // Lets the end of `arc` on a side be that of `other`.
   void set_heir(Side side, std::uint32_t arc, std::uint32_t other) { m_heirs[arc][side] = other; }
 
-  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they are
-  // set.
+  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they
+  // are set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
     detach(arc);
@@ -154,8 +155,8 @@ public:
   }
 
 private:
-  // What became of an arc: it stays; it went into another one; or it was cut at a node into a lower and
-  // an upper arc.
+  // What became of an arc: it stays; it went into another one; or it was cut at a node into a lower
+  // and an upper arc.
   enum Fate_kind { STAYS, GOES_INTO, IS_CUT };
 
   struct Fate

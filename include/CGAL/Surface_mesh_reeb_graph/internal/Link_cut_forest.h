@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the least key on a
-// path, in amortized logarithmic time (Sleator, Tarjan, "Self-adjusting binary search trees", 1985): the
-// trees are cut into paths, and every path is kept in a splay tree.
+// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the least key on
+// a path, in amortized logarithmic time (Sleator, Tarjan, "Self-adjusting binary search trees",
+// 1985): the trees are cut into paths, and every path is kept in a splay tree.
 class Link_cut_forest
 {
 public:

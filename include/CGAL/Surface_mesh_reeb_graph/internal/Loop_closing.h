@@ -27,28 +27,29 @@ namespace internal {
 // Closes loops of a Reeb graph: folds their cycles flat.
 //
 // At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of
-// their other ends, which leaves a cycle with one node less; and so on, until two parallel arcs are left,
-// which become one. What hangs on the cycle hangs on the fold afterwards, at its own height, so the
-// fold is a quotient of the graph that has one loop less.
+// their other ends, which leaves a cycle with one node less; and so on, until two parallel arcs are
+// left, which become one. What hangs on the cycle hangs on the fold afterwards, at its own height,
+// so the fold is a quotient of the graph that has one loop less.
 //
-// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one side to
-// the point of the same height on the other, and no other extended persistence pair changes. Sublevel
-// and superlevel sets stay connected as they were, since s and m have joined the two sides already. Of
-// the part of the graph between two heights, the fold glues two intervals: if s or m lies between the
-// heights, they hang together there, and no cycle comes or goes; if both do, the cycle goes; if none
-// does, the two intervals belong to different components of the part, or else there would be a cycle with
-// the merge m and a split above s, and no cycle comes or goes either.
+// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one
+// side to the point of the same height on the other, and no other extended persistence pair
+// changes. Sublevel and superlevel sets stay connected as they were, since s and m have joined the
+// two sides already. Of the part of the graph between two heights, the fold glues two intervals: if
+// s or m lies between the heights, they hang together there, and no cycle comes or goes; if both
+// do, the cycle goes; if none does, the two intervals belong to different components of the part,
+// or else there would be a cycle with the merge m and a split above s, and no cycle comes or goes
+// either.
 //
-// If a side goes up and down, other pairs may change: two points of the same height are glued that were
-// connected only along the cycle, so two components of sublevel or superlevel sets may become one earlier,
-// by no more than the persistence of the loop.
+// If a side goes up and down, other pairs may change: two points of the same height are glued that
+// were connected only along the cycle, so two components of sublevel or superlevel sets may become
+// one earlier, by no more than the persistence of the loop.
 class Loop_closing
 {
 public:
   explicit Loop_closing(Folded_graph& graph) : m_graph(graph) {}
 
-  // Closes the loops for which `is_small(pair)` holds, and such as come up then. Returns whether other
-  // pairs may have changed.
+  // Closes the loops for which `is_small(pair)` holds, and such as come up then. Returns whether
+  // other pairs may have changed.
   template <class IsSmall>
   bool run(const IsSmall& is_small)
   {
@@ -66,7 +67,8 @@ public:
   }
 
 private:
-  // As loop_pairs(), but that the forest and the graph below a merge change when a loop is closed there.
+  // As loop_pairs(), but that the forest and the graph below a merge change when a loop is closed
+  // there.
   template <class IsSmall>
   void close_upwards(const IsSmall& is_small)
   {
@@ -95,8 +97,8 @@ private:
     }
   }
 
-  // Closes the loop of an arc and the path between its ends in the forest. The cycle becomes a tree on
-  // the same nodes. It takes the place of the path, and the forest stays a maximum one: what the
+  // Closes the loop of an arc and the path between its ends in the forest. The cycle becomes a tree
+  // on the same nodes. It takes the place of the path, and the forest stays a maximum one: what the
   // path connected down to a height, the tree does.
   void close(std::uint32_t closing_arc, Arc_forest& forest)
   {

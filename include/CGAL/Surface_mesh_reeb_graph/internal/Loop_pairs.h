@@ -29,16 +29,16 @@ struct Loop_pair
   std::uint32_t split, merge;
 };
 
-// A spanning forest of a Reeb graph, its arcs given one by one in the order of their upper nodes, that is
-// kept a maximum one with respect to the lower nodes of the arcs. So of all paths between two nodes the
-// one in the forest goes down least.
+// A spanning forest of a Reeb graph, its arcs given one by one in the order of their upper nodes,
+// that is kept a maximum one with respect to the lower nodes of the arcs. So of all paths between
+// two nodes the one in the forest goes down least.
 //
 // The loops of extended persistence fall out. A pair has its merge at or below m and its split at
 // or above s for every independent cycle of the arcs between the heights s and m. Of these arcs the
-// forest of the arcs up to m holds a spanning forest, so the independent cycles are as many as the arcs
-// that have left the forest, or not entered it, by then: one at every merge that completes a cycle, and its
-// split is the lower node of the arc. It does not matter which one leaves of several arcs with the same
-// lower node, nor in which order those with the same upper node come.
+// forest of the arcs up to m holds a spanning forest, so the independent cycles are as many as the
+// arcs that have left the forest, or not entered it, by then: one at every merge that completes a
+// cycle, and its split is the lower node of the arc. It does not matter which one leaves of several
+// arcs with the same lower node, nor in which order those with the same upper node come.
 class Arc_forest
 {
 public:

@@ -78,9 +78,9 @@ void read_graph(const Graph& graph,
   }
 }
 
-// The difference of two values in `double`, also of infinite ones: equal values have difference 0. Numbers
-// that are not floating-point ones may have more digits: what is converted is the difference, exactly
-// or nearly.
+// The difference of two values in `double`, also of infinite ones: equal values have difference 0.
+// Numbers that are not floating-point ones may have more digits: what is converted is the
+// difference, exactly or nearly.
 template <class FT>
 double difference(const FT& lower, const FT& upper)
 {
@@ -96,8 +96,8 @@ double difference(const FT& lower, const FT& upper)
   }
 }
 
-// The values of the nodes for differences in `double`: floating-point numbers as they are, others less
-// the lowest one.
+// The values of the nodes for differences in `double`: floating-point numbers as they are, others
+// less the lowest one.
 template <class Node>
 std::vector<double> values_of_nodes(const std::vector<Node>& nodes)
 {
@@ -113,7 +113,8 @@ std::vector<double> values_of_nodes(const std::vector<Node>& nodes)
   return values;
 }
 
-// For every node the fraction of the range of finite values of the nodes in its connected component.
+// For every node the fraction of the range of finite values of the nodes in its connected
+// component.
 inline std::vector<double> fractions_of_component_ranges(const std::vector<double>& values,
                                                          const std::vector<Arc_ends>& ends,
                                                          double fraction)
