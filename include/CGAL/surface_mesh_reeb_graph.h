@@ -15,6 +15,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/IO/VTP.h>
 #include <CGAL/Surface_mesh_reeb_graph/IO/graph_formats.h>
+#include <CGAL/Surface_mesh_reeb_graph/IO/persistence_diagram.h>
 #include <CGAL/Surface_mesh_reeb_graph/IO/polylines.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/level_set_components.h>
 #include <CGAL/Surface_mesh_reeb_graph/mapping_functions.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
+#include <CGAL/Surface_mesh_reeb_graph/persistence.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
 

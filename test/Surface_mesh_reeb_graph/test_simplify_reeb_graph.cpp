@@ -3,10 +3,14 @@
 
 #define BOOST_TEST_MODULE simplify_reeb_graph
 
+#include "persistence_checks.h"
 #include "reeb_graph_checks.h"
 
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 
 #include <array>
@@ -21,6 +25,8 @@ using SMRG::internal::Arc_ends;
 using SMRG::internal::Branch_cancellation;
 
 namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
 
 using Node_pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -55,6 +61,97 @@ std::vector<long> arcs_at_levels(const Graph& graph, const std::vector<double>& 
     for (std::size_t i = 0; i < levels.size(); ++i)
       result[i] += lower <= levels[i] && levels[i] < upper ? 1 : 0;
   }
+  return result;
+}
+
+// What is left of a graph; its nodes have the numbers that they had in `nodes`.
+struct Left
+{
+  std::vector<std::size_t> nodes;
+  std::vector<Rank_pair> arcs;
+
+  std::vector<Extended_pair> pairs() const
+  {
+    return with_ranks(extended_persistence(ranked_complex_of_graph(nodes.size(), arcs)), nodes);
+  }
+
+  // The arcs between the numbers of before, sorted.
+  std::vector<Rank_pair> arcs_before() const
+  {
+    std::vector<Rank_pair> result;
+    for (const Rank_pair& arc : arcs)
+      result.emplace_back(nodes[arc.first], nodes[arc.second]);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+};
+
+Left left_of(const SMRG::internal::Folded_graph& folded)
+{
+  const SMRG::internal::Remaining_graph remaining =
+      SMRG::internal::remaining_graph(folded, folded.number_of_nodes());
+  Left result;
+  result.nodes.assign(remaining.nodes.begin(), remaining.nodes.end());
+  for (const Arc_ends& arc : remaining.arcs)
+    result.arcs.emplace_back(arc.lower, arc.upper);
+  return result;
+}
+
+std::vector<Arc_ends> arc_ends_of(const Graph& graph)
+{
+  std::vector<Arc_ends> result;
+  for (const Rank_pair& arc : arcs_of(graph))
+    result.push_back(
+        {static_cast<std::uint32_t>(arc.first), static_cast<std::uint32_t>(arc.second)});
+  return result;
+}
+
+double persistence_of(const Extended_pair& pair, const std::vector<double>& values)
+{
+  return std::abs(values[pair.death] - values[pair.birth]);
+}
+
+bool is_loop(const Extended_pair& pair)
+{
+  return pair.kind == EXTENDED && pair.dimension == 1;
+}
+
+std::size_t number_of_loops(const std::vector<Extended_pair>& pairs)
+{
+  return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_loop));
+}
+
+// Closes the loops of persistence below the threshold; `true` if that may have changed other pairs.
+bool close_loops(SMRG::internal::Folded_graph& folded,
+                 const std::vector<double>& values,
+                 const double threshold)
+{
+  return SMRG::internal::Loop_closing(folded).run([&](const SMRG::internal::Loop_pair& loop) {
+    return values[loop.merge] - values[loop.split] < threshold;
+  });
+}
+
+// The arcs that are left when loops are closed.
+std::vector<Rank_pair> closed(const std::vector<double>& values,
+                              const std::vector<Rank_pair>& arcs,
+                              const double threshold)
+{
+  SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(make_graph(values, arcs)));
+  close_loops(folded, values, threshold);
+  return left_of(folded).arcs_before();
+}
+
+// Minima and maxima of a graph, nodes without arcs once.
+std::size_t number_of_leaves(const Graph& graph)
+{
+  std::vector<std::size_t> down(num_vertices(graph), 0), up(num_vertices(graph), 0);
+  for (const auto arc : CGAL::make_range(edges(graph))) {
+    ++up[source(arc, graph)];
+    ++down[target(arc, graph)];
+  }
+  std::size_t result = 0;
+  for (std::size_t node = 0; node < down.size(); ++node)
+    result += down[node] == 0 || up[node] == 0 ? 1 : 0;
   return result;
 }
 
@@ -233,6 +330,493 @@ BOOST_AUTO_TEST_CASE(relative_thresholds_are_fractions_of_the_range_of_each_comp
   BOOST_TEST(extrema(graph, true).size() == minima - 1);
 }
 
+BOOST_AUTO_TEST_CASE(small_loops_are_closed)
+{
+  using Arcs = std::vector<Rank_pair>;
+  // a torus
+  const Arcs torus = {{0, 1}, {1, 2}, {1, 2}, {2, 3}};
+  BOOST_TEST((closed({0, 1, 2, 3}, torus, 1) == torus));
+  BOOST_TEST((closed({0, 1, 2, 3}, torus, 1.5) == Arcs{{0, 3}}));
+  // a branch down on one side and one up on the other stay, at their heights
+  const Arcs branches = {{0, 1}, {1, 3}, {1, 4}, {3, 5}, {4, 5}, {2, 4}, {3, 6}, {5, 7}};
+  BOOST_TEST((closed({0, 1, 2, 3, 4, 5, 6, 7}, branches, 4.5) ==
+              Arcs{{0, 3}, {2, 4}, {3, 4}, {3, 6}, {4, 7}}));
+  // three arcs side by side are two loops
+  BOOST_TEST((closed({0, 1}, {{0, 1}, {0, 1}, {0, 1}}, 2) == Arcs{{0, 1}}));
+  // of two loops, one inside the other, the inner one
+  const Arcs nested = {{0, 1}, {1, 2}, {2, 3}, {2, 3}, {3, 4}, {1, 4}, {4, 5}};
+  BOOST_TEST((closed({0, 1, 2, 3, 4, 5}, nested, 2) == Arcs{{0, 1}, {1, 4}, {1, 4}, {4, 5}}));
+}
+
+// Loops on their own, with the extrema that there are: if the cycles have monotone sides, exactly the
+// small loops go and nothing else changes. If not, no small loop is left either, and the branches of
+// extrema get shorter, by less than the threshold for every closed loop.
+BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
+{
+  std::size_t number_of_exact_cases = 0, number_of_other_cases = 0;
+  for (unsigned seed = 0; seed < 5 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Graph graph = random_graph(rng, seed % 2 == 1);
+      const std::vector<double> values = values_of(graph);
+      const std::vector<Extended_pair> before = oracle_pairs(graph);
+      const double threshold = random_unit(rng) * (values.back() + 1);
+
+      SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+      const bool have_other_pairs_changed = close_loops(folded, values, threshold);
+      const Left left = left_of(folded);
+      const std::vector<Extended_pair> after = left.pairs();
+      for (const Extended_pair& pair : after)
+        if (is_loop(pair))
+          BOOST_TEST(persistence_of(pair, values) >= threshold);
+
+      const auto is_small_loop = [&](const Extended_pair& pair) {
+        return is_loop(pair) && persistence_of(pair, values) < threshold;
+      };
+      if (!have_other_pairs_changed) {
+        std::vector<Extended_pair> expected = before;
+        expected.erase(std::remove_if(expected.begin(), expected.end(), is_small_loop),
+                       expected.end());
+        BOOST_TEST(after == expected, boost::test_tools::per_element());
+        number_of_exact_cases += expected.size() < before.size() ? 1 : 0;
+        continue;
+      }
+      ++number_of_other_cases;
+      const std::size_t number_of_closed_loops = number_of_loops(before) - number_of_loops(after);
+      BOOST_TEST(number_of_closed_loops > 0u);
+      for (const Extended_pair& pair : before) {
+        if (is_loop(pair))
+          continue;
+        const auto same_birth = [&pair](const Extended_pair& other) {
+          return other.kind == pair.kind && other.dimension == pair.dimension &&
+                 other.birth == pair.birth;
+        };
+        const auto found = std::find_if(after.begin(), after.end(), same_birth);
+        const double persistence = found == after.end() ? 0 : persistence_of(*found, values);
+        BOOST_TEST(persistence <= persistence_of(pair, values));
+        BOOST_TEST(persistence >= persistence_of(pair, values) -
+                                      static_cast<double>(number_of_closed_loops) * threshold);
+      }
+    }
+  }
+  if (number_of_random_cases() >= 100) {
+    BOOST_TEST(number_of_exact_cases > 0u);
+    BOOST_TEST(number_of_other_cases > 0u);
+  }
+}
+
+// Branches and loops together through the user's function, for growing thresholds: what persistence says
+// is small goes, and the numbers of nodes, arcs, components and loops fit at every step.
+BOOST_AUTO_TEST_CASE(branches_and_loops_of_random_graphs_are_simplified)
+{
+  const Mesh no_mesh;
+  const Value_map no_values;
+  for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      Graph graph = random_graph(rng, seed % 2 == 1);
+      const double range = values_of(graph).back() + 1;
+      for (const double fraction : {0., 0.1, 0.3, 0.6, 2.}) {
+        const double loop_threshold = fraction * range;
+        const double threshold = random_unit(rng) * loop_threshold;
+        const std::vector<Extended_pair> before = oracle_pairs(graph);
+        const std::vector<double> values_before = values_of(graph);
+        SMRG::simplify_reeb_graph(no_mesh,
+                                  no_values,
+                                  graph,
+                                  SMRG::parameters::threshold_is_absolute(true)
+                                      .persistence_threshold(threshold)
+                                      .loop_persistence_threshold(loop_threshold));
+        const std::vector<Extended_pair> after = oracle_pairs(graph);
+        const std::vector<double> values = values_of(graph);
+        std::size_t components = 0;
+        for (const Extended_pair& pair : after) {
+          if (is_loop(pair))
+            BOOST_TEST(persistence_of(pair, values) >= loop_threshold);
+          else if (pair.kind == EXTENDED)
+            ++components;
+          else
+            BOOST_TEST(persistence_of(pair, values) >= threshold);
+        }
+        BOOST_TEST(num_edges(graph) + components == num_vertices(graph) + number_of_loops(after));
+        std::vector<std::size_t> down(num_vertices(graph), 0), up(num_vertices(graph), 0);
+        for (const auto arc : CGAL::make_range(edges(graph))) {
+          BOOST_TEST(source(arc, graph) < target(arc, graph));
+          ++up[source(arc, graph)];
+          ++down[target(arc, graph)];
+        }
+        for (const auto node : CGAL::make_range(vertices(graph))) {
+          BOOST_TEST(graph[node].type == SMRG::reeb_node_type(down[node], up[node]));
+          BOOST_TEST(!(down[node] == 1 && up[node] == 1));
+        }
+        if (fraction == 0) { // the loops stay, even those in plateaus
+          std::vector<double> persistence_before, persistence;
+          for (const Extended_pair& pair : before)
+            if (is_loop(pair))
+              persistence_before.push_back(persistence_of(pair, values_before));
+          for (const Extended_pair& pair : after)
+            if (is_loop(pair))
+              persistence.push_back(persistence_of(pair, values));
+          std::sort(persistence_before.begin(), persistence_before.end());
+          std::sort(persistence.begin(), persistence.end());
+          BOOST_TEST(persistence == persistence_before, boost::test_tools::per_element());
+        }
+      }
+      for (const Extended_pair& pair : oracle_pairs(graph))
+        BOOST_TEST(!is_loop(pair));
+    }
+  }
+}
+
+// Points of the arcs, at all heights between the nodes: the short way to their new arcs agrees with the
+// long one, whatever has been asked before; and if no branch was cancelled as a whole the height is right.
+BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
+{
+  for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Graph graph = random_graph(rng, seed % 2 == 1);
+      const std::vector<double> values = values_of(graph);
+      Branch_cancellation folded(values, arc_ends_of(graph));
+      const bool has_only_loops = seed % 3 == 0;
+      const double threshold = random_unit(rng) * (values.back() + 1);
+      if (!has_only_loops)
+        folded.run([&](const SMRG::internal::Extremum_pair& pair) {
+          return pair.persistence < threshold;
+        });
+      close_loops(folded, values, seed % 3 == 1 ? 0 : random_unit(rng) * (values.back() + 1));
+
+      SMRG::internal::Arc_images images(folded);
+      std::vector<Rank_pair> points; // an arc and the node just below the point
+      const std::vector<Rank_pair> arcs = arcs_of(graph);
+      for (std::size_t arc = 0; arc < arcs.size(); ++arc)
+        for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node)
+          points.emplace_back(arc, node);
+      shuffle(points, rng);
+      for (const Rank_pair& point : points) {
+        const auto is_below = [&point](const std::uint32_t node) { return point.second < node; };
+        const std::uint32_t arc = static_cast<std::uint32_t>(point.first);
+        const std::uint32_t image = images.arc_after(arc, is_below);
+        BOOST_TEST(folded.is_arc(image));
+        BOOST_TEST(image == folded.arc_after(arc, is_below));
+        if (has_only_loops) {
+          BOOST_TEST(folded.arcs()[image].lower <= point.second);
+          BOOST_TEST(folded.arcs()[image].upper > point.second);
+        }
+      }
+    }
+  }
+}
+
+// On meshes: the maps to the arcs follow, and the branches and loops that are left have the heights
+// that they had.
+BOOST_AUTO_TEST_CASE(maps_follow_when_loops_are_closed)
+{
+  for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Index_mesh mesh = random_small_mesh(rng, seed % 4 == 3);
+      const std::size_t n = mesh.points.size();
+      Case c(mesh, seed % 3 == 2 ? random_integer_values(n, 12, rng) : random_values(n, rng));
+      Graph graph;
+      const auto parameters = SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true);
+      SMRG::compute_reeb_graph(c.mesh, c.values, graph, parameters);
+
+      // a face goes with its middle vertex, if that is no node; the others have no arc here
+      auto face_arcs =
+          c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:arc", SMRG::null_arc).first;
+      std::vector<bool> is_node(n, false);
+      for (const auto node : CGAL::make_range(vertices(graph)))
+        is_node[graph[node].vertex] = true;
+      const SMRG::
+          Vertex_order<Mesh, Value_map, boost::property_map<Mesh, boost::vertex_index_t>::type>
+              order(c.mesh, c.values, get(boost::vertex_index, c.mesh));
+      const auto middle_vertex = [&](const Mesh::Face_index f) {
+        std::vector<Vertex> corners;
+        for (const Vertex v : CGAL::vertices_around_face(c.mesh.halfedge(f), c.mesh))
+          corners.push_back(v);
+        std::sort(corners.begin(), corners.end(), order);
+        return corners[1];
+      };
+      for (const auto f : c.mesh.faces())
+        if (!is_node[middle_vertex(f)])
+          face_arcs[f] = c.arcs[middle_vertex(f)];
+
+      for (const double fraction : {0.1, 0.4, 2.}) {
+        SMRG::simplify_reeb_graph(c.mesh,
+                                  c.values,
+                                  graph,
+                                  parameters.face_arc_map(face_arcs)
+                                      .persistence_threshold(fraction / 2)
+                                      .loop_persistence_threshold(fraction));
+        check_consistency(c, graph);
+        for (const auto f : c.mesh.faces()) {
+          const Vertex v = middle_vertex(f);
+          BOOST_TEST(face_arcs[f] == (is_node[v] ? SMRG::null_arc : c.arcs[v]));
+        }
+      }
+      for (const Extended_pair& pair : oracle_pairs(graph))
+        BOOST_TEST(!is_loop(pair));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_are_cancelled_until_few_leaves_are_left)
+{
+  for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Index_mesh mesh = random_small_mesh(rng, seed % 4 == 3);
+      Case c(mesh, random_values(mesh.points.size(), rng));
+      Graph original;
+      SMRG::compute_reeb_graph(c.mesh, c.values, original);
+      const std::size_t leaves = number_of_leaves(original);
+      Graph smallest = original;
+      SMRG::simplify_reeb_graph(c.mesh, c.values, smallest, SMRG::parameters::number_of_leaves(0));
+      const std::size_t fewest = number_of_leaves(smallest);
+      std::vector<double> persistence;
+      std::size_t expected_fewest = 0;
+      for (const Pair& pair : pairs_of(original)) {
+        if (pair.kind == SMRG::COMPONENT_PAIR)
+          expected_fewest += pair.birth == pair.death ? 1 : 2;
+        else if (pair.kind != SMRG::LOOP_PAIR)
+          persistence.push_back(pair.persistence());
+      }
+      BOOST_TEST(fewest == expected_fewest);
+      BOOST_TEST(leaves == fewest + persistence.size());
+      std::sort(persistence.begin(), persistence.end());
+
+      for (std::size_t number = fewest; number <= leaves + 1; number += 1 + random_index(5, rng)) {
+        for (const bool is_absolute : {true, false}) {
+          Graph graph = original;
+          SMRG::compute_reeb_graph(
+              c.mesh,
+              c.values,
+              graph,
+              SMRG::parameters::vertex_arc_map(c.arcs).collect_arc_vertices(true));
+          SMRG::simplify_reeb_graph(c.mesh,
+                                    c.values,
+                                    graph,
+                                    SMRG::parameters::number_of_leaves(static_cast<int>(number))
+                                        .threshold_is_absolute(is_absolute)
+                                        .vertex_arc_map(c.arcs));
+          check_consistency(c, graph);
+          BOOST_TEST(number_of_leaves(graph) == (std::min)(number, leaves));
+          if (!is_absolute)
+            continue;
+          // the same as all pairs below a threshold
+          Graph by_threshold = original;
+          const std::size_t number_of_cancelled = leaves - (std::min)(number, leaves);
+          const double threshold =
+              number_of_cancelled < persistence.size() ? persistence[number_of_cancelled] : 2;
+          SMRG::simplify_reeb_graph(
+              c.mesh,
+              c.values,
+              by_threshold,
+              SMRG::parameters::threshold_is_absolute(true).persistence_threshold(threshold));
+          BOOST_TEST((arcs_of(graph) == arcs_of(by_threshold)));
+        }
+      }
+    }
+  }
+}
+
+// Two grids, one of them with a hundred times the range: the small one has the dip that is deeper in
+// proportion, the large one the dip that is deeper.
+BOOST_AUTO_TEST_CASE(leaves_of_components_compare_by_relative_persistence)
+{
+  const std::array<double, 8> small = {0, 4, 2, 5, 6, 7, 8, 9};
+  const std::array<double, 8> large = {0, 400, 390, 500, 600, 700, 800, 900};
+  Index_mesh mesh = grid(7, 1);
+  append(mesh, grid(7, 1), 100);
+  std::vector<double> values;
+  for (const auto& p : mesh.points)
+    values.push_back(p[0] < 50 ? small[static_cast<std::size_t>(p[0])]
+                               : large[static_cast<std::size_t>(p[0] - 100)]);
+  Case c(mesh, values);
+  for (const bool is_absolute : {true, false}) {
+    Graph graph;
+    SMRG::compute_reeb_graph(c.mesh, c.values, graph);
+    BOOST_TEST(number_of_leaves(graph) == 8u);
+    SMRG::simplify_reeb_graph(
+        c.mesh,
+        c.values,
+        graph,
+        SMRG::parameters::number_of_leaves(7u).threshold_is_absolute(is_absolute));
+    double largest_minimum = 0;
+    for (const std::size_t v : extrema(graph, true))
+      largest_minimum = (std::max)(largest_minimum, values[v]);
+    BOOST_TEST(number_of_leaves(graph) == 7u);
+    BOOST_TEST(largest_minimum == (is_absolute ? 390 : 2));
+  }
+}
+
+// The function is cut off at the saddle of its least pair: what remains is the simplified graph.
+BOOST_AUTO_TEST_CASE(the_simplified_graph_is_that_of_the_simplified_function)
+{
+  std::size_t number_of_cases = 0;
+  for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      Index_mesh mesh = seed % 2 == 0 ? sphere(1) : grid(5, 5);
+      flip_random_edges(mesh, random_index(100, rng), rng);
+      std::vector<double> values = random_values(mesh.points.size(), rng);
+      Case c(mesh, values);
+      Graph graph;
+      SMRG::compute_reeb_graph(c.mesh, c.values, graph);
+      const std::vector<Pair> pairs = pairs_of(graph);
+      const auto is_less = [](const Pair& p, const Pair& q) {
+        const auto is_branch = [](const Pair& pair) {
+          return pair.kind == SMRG::MINIMUM_PAIR || pair.kind == SMRG::MAXIMUM_PAIR;
+        };
+        return is_branch(p) != is_branch(q) ? is_branch(p) : p.persistence() < q.persistence();
+      };
+      const Pair least = *std::min_element(pairs.begin(), pairs.end(), is_less);
+      // a branch that is an arc at a simple saddle
+      const auto saddle_type = graph[least.death].type;
+      if (saddle_type != SMRG::SPLIT_SADDLE && saddle_type != SMRG::MERGE_SADDLE)
+        continue;
+      if (!edge(least.lower(), least.upper(), graph).second || out_degree(least.birth, graph) != 1)
+        continue;
+      ++number_of_cases;
+
+      const bool is_maximum = least.kind == SMRG::MAXIMUM_PAIR;
+      const double level = least.death_value;
+      std::vector<std::size_t> branch = {std::size_t(graph[least.birth].vertex)};
+      const std::set<Index_edge> mesh_edges = edges_of(mesh);
+      for (std::size_t i = 0; i < branch.size(); ++i) {
+        for (std::size_t v = 0; v < values.size(); ++v)
+          if ((is_maximum ? values[v] > level : values[v] < level) &&
+              mesh_edges.count(undirected(branch[i], v)) != 0)
+          {
+            values[v] = level;
+            branch.push_back(v);
+          }
+        values[branch[i]] = level;
+      }
+
+      SMRG::simplify_reeb_graph(c.mesh,
+                                c.values,
+                                graph,
+                                SMRG::parameters::threshold_is_absolute(true).persistence_threshold(
+                                    std::nextafter(least.persistence(), 2.)));
+      c.set(values);
+      Graph graph_of_simplified;
+      SMRG::compute_reeb_graph(c.mesh, c.values, graph_of_simplified);
+      const auto arcs_between_vertices = [](const Graph& g) {
+        std::multiset<Rank_pair> result;
+        for (const auto arc : CGAL::make_range(edges(g)))
+          result.emplace(std::size_t(g[source(arc, g)].vertex),
+                         std::size_t(g[target(arc, g)].vertex));
+        return result;
+      };
+      BOOST_TEST((arcs_between_vertices(graph) == arcs_between_vertices(graph_of_simplified)));
+    }
+  }
+  BOOST_TEST(number_of_cases > number_of_random_cases() / 2);
+}
+
+// Nodes with very many arcs, very many branches along an arc, branches on branches: with work in
+// proportion to the square of the size these would take hours.
+BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
+{
+  const Mesh no_mesh;
+  const Value_map no_values;
+  const std::size_t n = 100000;
+  const auto simplified = [&](const std::size_t number_of_nodes,
+                              const std::vector<Rank_pair>& arcs) {
+    std::vector<double> values(number_of_nodes);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<double>(i);
+    Graph graph = make_graph(values, arcs);
+    SMRG::simplify_reeb_graph(no_mesh,
+                              no_values,
+                              graph,
+                              SMRG::parameters::threshold_is_absolute(true)
+                                  .persistence_threshold(infinity)
+                                  .loop_persistence_threshold(infinity));
+    return arcs_of(graph);
+  };
+  const std::vector<Rank_pair> one_arc = {{0, 1}};
+
+  std::vector<Rank_pair> arcs; // a node with n arcs to minima and n arcs to maxima
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(i, n);
+    arcs.emplace_back(n, n + 1 + i);
+  }
+  BOOST_TEST((simplified(2 * n + 1, arcs) == one_arc));
+
+  arcs.clear(); // two nodes and n arcs between them
+  for (std::size_t i = 0; i < n; ++i)
+    arcs.emplace_back(0, 1);
+  BOOST_TEST((simplified(2, arcs) == one_arc));
+
+  arcs.clear(); // a node where n minima merge, on the arc of each of which a maximum hangs
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(i, n + i);
+    arcs.emplace_back(n + i, 2 * n);
+    arcs.emplace_back(n + i, 2 * n + 2 + i);
+  }
+  arcs.emplace_back(2 * n, 2 * n + 1);
+  BOOST_TEST((simplified(3 * n + 2, arcs) == one_arc));
+
+  // the same, but that the maxima stay: one after the other, upwards, they are hung on the last branch
+  arcs.clear();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(i, 2 * n - 1 - i);
+    arcs.emplace_back(n + i, 2 * n);
+    arcs.emplace_back(n + i, 2 * n + 1 + i);
+  }
+  for (std::size_t i = 0; i < 3 * n + 1; ++i)
+    values.push_back(static_cast<double>(i <= 2 * n ? i : 10 * n + i));
+  Graph graph = make_graph(values, arcs);
+  SMRG::simplify_reeb_graph(no_mesh,
+                            no_values,
+                            graph,
+                            SMRG::parameters::threshold_is_absolute(true).persistence_threshold(
+                                3 * static_cast<double>(n)));
+  BOOST_TEST(num_edges(graph) == 2 * n - 1);
+
+  arcs.clear(); // a comb
+  arcs.emplace_back(0, n + 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(1 + i, n + 1 + i);
+    arcs.emplace_back(n + 1 + i, n + 2 + i);
+  }
+  BOOST_TEST((simplified(2 * n + 2, arcs) == one_arc));
+
+  arcs.clear(); // branches on branches: the minimum i merges into the branch of the minimum i - 1
+  arcs.emplace_back(0, 2 * n - 2);
+  for (std::size_t i = 1; i < n; ++i) {
+    arcs.emplace_back(i, i + 1 < n ? 2 * n - 2 - i : 2 * n - 1 - i);
+    if (i + 1 < n)
+      arcs.emplace_back(2 * n - 2 - i, 2 * n - 1 - i);
+  }
+  arcs.emplace_back(2 * n - 2, 2 * n - 1);
+  BOOST_TEST((simplified(2 * n, arcs) == one_arc));
+
+  arcs.clear(); // a ladder
+  for (std::size_t i = 0; i + 2 < n; ++i) {
+    arcs.emplace_back(i, i + 2);
+    if (i % 2 == 0)
+      arcs.emplace_back(i, i + 1);
+  }
+  BOOST_TEST((simplified(n, arcs) == one_arc));
+
+  arcs.clear(); // a chain of loops
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    for (std::size_t k = 0; k < 1 + i % 2; ++k)
+      arcs.emplace_back(i, i + 1);
+  BOOST_TEST((simplified(n, arcs) == one_arc));
+}
+
 BOOST_AUTO_TEST_CASE(bad_thresholds_are_errors_and_change_nothing)
 {
   std::mt19937 rng(3);
@@ -248,6 +832,28 @@ BOOST_AUTO_TEST_CASE(bad_thresholds_are_errors_and_change_nothing)
         SMRG::Reeb_graph_error);
     BOOST_TEST(num_vertices(graph) == nodes);
   }
+  for (const double threshold : {-1., std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(
+        SMRG::simplify_reeb_graph(
+            c.mesh, c.values, graph, SMRG::parameters::loop_persistence_threshold(threshold)),
+        SMRG::Reeb_graph_error);
+  BOOST_CHECK_THROW(
+      SMRG::simplify_reeb_graph(c.mesh, c.values, graph, SMRG::parameters::number_of_leaves(-1)),
+      SMRG::Reeb_graph_error);
+  // a map of faces that belongs to another graph; the map of the vertices is left as it was, too
+  auto face_arcs = c.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:arc", 1000000).first;
+  const std::vector<std::size_t> arcs_before(c.arcs.begin(), c.arcs.end());
+  BOOST_CHECK_THROW(
+      SMRG::simplify_reeb_graph(
+          c.mesh,
+          c.values,
+          graph,
+          SMRG::parameters::vertex_arc_map(c.arcs).face_arc_map(face_arcs).persistence_threshold(
+              infinity)),
+      SMRG::Reeb_graph_error);
+  BOOST_TEST(std::vector<std::size_t>(c.arcs.begin(), c.arcs.end()) == arcs_before,
+             boost::test_tools::per_element());
+  BOOST_TEST(num_vertices(graph) == nodes);
   // everything goes but one arc
   SMRG::simplify_reeb_graph(c.mesh,
                             c.values,

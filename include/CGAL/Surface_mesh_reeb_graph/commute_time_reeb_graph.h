@@ -47,10 +47,10 @@ limbs the graph has a minimum in the center and a maximum at the tip of every li
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{persistence_threshold, threshold_is_absolute}
+  \cgalParamNBegin{persistence_threshold, threshold_is_absolute, number_of_leaves, loop_persistence_threshold}
     \cgalParamDescription{as in `simplify_reeb_graph()`}
-    \cgalParamType{`double`, Boolean}
-    \cgalParamDefault{`0`, `false`: only pairs of persistence zero are cancelled}
+    \cgalParamType{`double`, Boolean, an integer type, `double`}
+    \cgalParamDefault{`0`, `false`, no limit, `0`: only pairs of persistence zero are cancelled}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_value_map}
     \cgalParamDescription{receives the mapping function}
@@ -110,7 +110,7 @@ void commute_time_reeb_graph(const TriangleMesh& tmesh,
                                                          NamedParameters,
                                                          internal::Default_solver_traits>::type;
 
-  internal::checked_persistence_threshold(np); // before any output is written
+  internal::simplification_parameters(np); // throws before any output is written
 
   std::vector<vertex_descriptor> points;
   const auto values = get(CGAL::dynamic_vertex_property_t<double>(), tmesh);

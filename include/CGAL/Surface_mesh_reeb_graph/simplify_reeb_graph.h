@@ -12,8 +12,13 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/read_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
@@ -29,6 +34,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,37 +44,220 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-template <class NamedParameters>
-double checked_persistence_threshold(const NamedParameters& np)
+// The difference of values, or the fraction of the range, that a parameter gives.
+template <class NamedParameters, class Tag>
+double checked_threshold(const NamedParameters& np, Tag tag, const char* name)
 {
-  const double threshold = choose_own_parameter(np, tags::persistence_threshold, 0.);
+  const double threshold = choose_own_parameter(np, tag, 0.);
   if (!(threshold >= 0))
-    throw Reeb_graph_error("the persistence threshold is negative or not a number");
+    throw Reeb_graph_error(std::string("the ") + name + " is negative or not a number");
   return threshold;
 }
+
+// The number of leaves asked for, the largest number if there is none.
+template <class NamedParameters>
+std::size_t checked_number_of_leaves(const NamedParameters& np)
+{
+  const auto number =
+      choose_own_parameter(np, tags::number_of_leaves, (std::numeric_limits<std::size_t>::max)());
+  using Number = std::decay_t<decltype(number)>;
+  static_assert(std::is_integral<Number>::value, "the number of leaves is an integer");
+  if constexpr (std::is_signed<Number>::value)
+    if (number < 0)
+      throw Reeb_graph_error("the number of leaves is negative");
+  return static_cast<std::size_t>(number);
+}
+
+// What the user asks for.
+struct Simplification_parameters
+{
+  double threshold, loop_threshold;
+  std::size_t number_of_leaves;
+  bool is_absolute;
+};
+
+// Throws if a parameter is wrong.
+template <class NamedParameters>
+Simplification_parameters simplification_parameters(const NamedParameters& np)
+{
+  return {
+      checked_threshold(np, tags::persistence_threshold, "persistence threshold"),
+      checked_threshold(np, tags::loop_persistence_threshold, "persistence threshold of the loops"),
+      checked_number_of_leaves(np),
+      choose_own_parameter(np, tags::threshold_is_absolute, false)};
+}
+
+// The half of a difference, which does not overflow.
+inline double half_of_difference(double lower, double upper)
+{
+  return lower == upper ? 0. : upper / 2 - lower / 2;
+}
+
+// Throws if a map from vertices or faces to arcs has a number in it that no arc has.
+template <class Range, class ArcMap>
+void check_arc_numbers(const Range& keys,
+                       std::size_t number_of_arcs,
+                       const ArcMap& arc_map,
+                       const char* name)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  for (const auto key : CGAL::make_range(keys)) {
+    const Number arc = get(arc_map, key);
+    if (arc != static_cast<Number>(null_arc) && static_cast<std::size_t>(arc) >= number_of_arcs)
+      throw Reeb_graph_error(std::string("the ") + name +
+                             " arc map does not belong to the Reeb graph");
+  }
+}
+
+// Replaces the number of the arc of every vertex or face that has one.
+template <class Range, class ArcMap, class NewArc>
+void update_arc_numbers(const Range& keys, ArcMap arc_map, const NewArc& new_arc)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  for (const auto key : CGAL::make_range(keys)) {
+    const Number arc = get(arc_map, key);
+    if (arc != static_cast<Number>(null_arc))
+      put(arc_map, key, static_cast<Number>(new_arc(key, static_cast<std::size_t>(arc))));
+  }
+}
+
+// The second one of the three vertices of a face in the order.
+template <class TriangleMesh, class VertexOrder>
+typename boost::graph_traits<TriangleMesh>::vertex_descriptor
+middle_vertex(typename boost::graph_traits<TriangleMesh>::face_descriptor f,
+              const TriangleMesh& tmesh,
+              const VertexOrder& order)
+{
+  const auto h = halfedge(f, tmesh);
+  auto u = source(h, tmesh), v = target(h, tmesh);
+  const auto w = target(next(h, tmesh), tmesh);
+  if (order(v, u))
+    std::swap(u, v);
+  return order(w, u) ? u : order(v, w) ? v : w;
+}
+
+// Simplifies a folded graph as simplify_reeb_graph() says.
+class Simplification
+{
+public:
+  Simplification(const std::vector<double>& values,
+                 const std::vector<Arc_ends>& ends,
+                 const Simplification_parameters& parameters)
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
+  {}
+
+  Branch_cancellation& folded_graph() { return m_folded; }
+
+  void run()
+  {
+    cancel_branches();
+    if (m_parameters.loop_threshold > 0 && close_loops())
+      cancel_branches();
+  }
+
+private:
+  std::vector<double> thresholds_of_nodes(double threshold) const
+  {
+    return m_parameters.is_absolute ? std::vector<double>(m_values.size(), threshold)
+                                    : fractions_of_component_ranges(m_values, m_ends, threshold);
+  }
+
+  // Returns whether pairs of extrema may have changed.
+  bool close_loops()
+  {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
+    return Loop_closing(m_folded).run([&](const Loop_pair& loop) {
+      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
+             thresholds[loop.merge];
+    });
+  }
+
+  void cancel_branches()
+  {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
+    m_folded.run(
+        [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
+    const std::size_t number_of_leaves = m_parameters.number_of_leaves;
+    if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
+      return;
+    std::size_t number = 0;
+    for (std::uint32_t node = 0; node < m_values.size(); ++node)
+      if (m_folded.is_node(node) &&
+          (m_folded.number_of_arcs(BELOW, node) == 0 || m_folded.number_of_arcs(ABOVE, node) == 0))
+        ++number;
+    if (number <= number_of_leaves)
+      return;
+
+    std::vector<Extremum_pair> pairs = m_folded.pairs();
+    if (!m_parameters.is_absolute)
+      sort_by_relative_persistence(pairs);
+    pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
+    for (const Extremum_pair& pair : pairs)
+      m_folded.cancel(pair);
+  }
+
+  // Inside a component the order stays as it is.
+  void sort_by_relative_persistence(std::vector<Extremum_pair>& pairs) const
+  {
+    const std::vector<double> half_ranges = fractions_of_component_ranges(m_values, m_ends, 0.5);
+    const auto relative_persistence = [&](const Extremum_pair& pair) {
+      const double half = pair.side == BELOW
+                              ? half_of_difference(m_values[pair.extremum], m_values[pair.saddle])
+                              : half_of_difference(m_values[pair.saddle], m_values[pair.extremum]);
+      return half == 0 ? 0. : half / half_ranges[pair.extremum];
+    };
+    std::stable_sort(
+        pairs.begin(), pairs.end(), [&](const Extremum_pair& p, const Extremum_pair& q) {
+          return relative_persistence(p) < relative_persistence(q);
+        });
+  }
+
+  const std::vector<double>& m_values;
+  const std::vector<Arc_ends>& m_ends;
+  Simplification_parameters m_parameters;
+  Branch_cancellation m_folded;
+};
 
 } // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-simplifies a Reeb graph by cancelling its branches of small persistence.
+simplifies a Reeb graph by cancelling its branches, and on demand its loops, of small persistence.
 
-The pairs are those of persistent homology in dimension 0: a minimum with the node where its component
-of the sublevel set merges into one that has a lower minimum, and a maximum with a node, upside down. The
-persistence of a pair is the difference of the two values. Pairs are cancelled in the order of their
-persistence; every cancellation takes away one branch and changes no other pair and no loop: what
-hung on a cancelled branch hangs on its neighbor afterwards, at the same height. Pairs of persistence
-zero are always cancelled. The global minimum and maximum of a component always stay, and so do loops.
+<b>Branches.</b> The pairs are those that `persistence_pairs()` gives: a minimum with the node where
+its component of the sublevel set merges into one that has a lower minimum, and a maximum with a
+node, upside down. The persistence of a pair is the difference of the two values. Pairs are
+cancelled in the order of their persistence, those below the threshold and then as many more as the
+number of leaves asks for. Every cancellation takes away one branch and changes no other pair and no
+loop: what hung on a cancelled branch hangs on its neighbor afterwards, at the same height
+(\cgalCite{agarwal_2006}). Pairs of persistence zero are always cancelled. The lowest minimum and
+the highest maximum of a component always stay.
 
-The nodes that stay keep their bundles, only `id` and `type` are brought up to date; the arcs are new.
+<b>Loops</b> stay unless `loop_persistence_threshold` is given. Then, after the branches, the loops
+below that threshold are closed, those with the lowest merges first: the cycle of the pair of split
+and merge (of those that the merge completes one whose lowest node, the split, lies highest) is
+folded flat, from its highest node downwards, so that points of the same height become one; what
+hung on the cycle hangs on the fold, at the same height. Every closed loop makes the number of loops
+smaller by exactly one, and none of persistence below the threshold is left.
+
+- If the function is monotone on both sides of the cycle, from the split to the merge, then closing
+  the loop takes away its pair and changes no other pair, neither of extrema nor of loops.
+- Otherwise the cycle has turning points: nodes on it where branches or other loops leave in the
+  wrong direction, and no fold is that exact. The pairs of extrema may then change, each by at most
+  the persistence of the loop, and always towards smaller persistence; other loops may change as
+  well. Loops and branches that fall below their thresholds thereby are taken away, too.
+
+The nodes that stay keep their bundles, only `id` and `type` are brought up to date; the arcs are
+new.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as value
-        type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as
+        value type
 \tparam MutableGraph as in `compute_reeb_graph()`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
@@ -82,16 +272,33 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
     \cgalParamDefault{`0`}
     \cgalParamExtra{a fraction of the range of the function, for each connected component on its own (of the values of its nodes, those that are infinite left out), unless `threshold_is_absolute` is `true`}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_leaves}
+    \cgalParamDescription{if more minima and maxima than this number are left, pairs are cancelled until no more are, or until those are left that always stay: two for every component that is not a single node}
+    \cgalParamType{an integer type, not negative}
+    \cgalParamDefault{no limit}
+    \cgalParamExtra{Pairs of different components are compared by their persistence as a fraction of the range of their component, unless `threshold_is_absolute` is `true`. The pairs below `persistence_threshold`, 0 if it is not given, are cancelled in any case.}
+  \cgalParamNEnd
+  \cgalParamNBegin{loop_persistence_threshold}
+    \cgalParamDescription{loops whose persistence is less than this are closed}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`0`: loops are never closed, not even those in a plateau}
+    \cgalParamExtra{a fraction of the range of the function, as `persistence_threshold`, unless `threshold_is_absolute` is `true`}
+  \cgalParamNEnd
   \cgalParamNBegin{threshold_is_absolute}
-    \cgalParamDescription{whether `persistence_threshold` is a difference of values rather than a fraction of their range}
+    \cgalParamDescription{whether `persistence_threshold` and `loop_persistence_threshold` are differences of values rather than fractions of their range}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
-    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch go to the arc that it hung on}
+    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch that is a single arc go to the arc that it hung on, those of other branches and of loops to the points of the same height}
     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an integer type as value type}
     \cgalParamDefault{no map}
     \cgalParamExtra{`Reeb_arc::vertices` is brought up to date as well if it has been filled.}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_arc_map}
+    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: a face goes where its vertex goes that is the second one in the order of the vertices}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type}
+    \cgalParamDefault{no map}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`, the same as for `compute_reeb_graph()`}
@@ -100,14 +307,19 @@ The nodes that stay keep their bundles, only `id` and `type` are brought up to d
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes, plus the lengths of the paths that are zipped together when
-other branches hang on a cancelled one, plus O(n) for *n* vertices if there is anything to bring up to
-date for them.
+Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed
+on the paths that are zipped together when other branches hang on a cancelled one, plus O(log m) for
+every node on the cycle of a closed loop; O(m log m) again as often as closing loops has changed
+other pairs. If there is anything to bring up to date for *n* vertices or faces, O(n log m) more, as
+long as the vertices lie between the ends of the arcs that they go to.
 
-\throws Reeb_graph_error if the threshold is negative or not a number, if a value is not a number, or if graph and
-        map do not belong together; `graph` and the map are then left as they were
+\throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
+        negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
+        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph and maps
+        do not belong together; `graph` and the maps are then left as they were
 
 \sa `compute_reeb_graph()`
+\sa `persistence_pairs()`
 */
 template <class TriangleMesh,
           class VertexScalarMap,
@@ -119,15 +331,17 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   using Node = internal::Node_bundle<MutableGraph>;
   using Arc = internal::Arc_bundle<MutableGraph>;
   constexpr bool has_vertex_arc_map =
       !CGAL::parameters::is_default_parameter<NamedParameters,
                                               internal::tags::vertex_arc_map_t>::value;
+  constexpr bool has_face_arc_map =
+      !CGAL::parameters::is_default_parameter<NamedParameters,
+                                              internal::tags::face_arc_map_t>::value;
 
-  const double threshold = internal::checked_persistence_threshold(np);
-  const bool is_absolute =
-      internal::choose_own_parameter(np, internal::tags::threshold_is_absolute, false);
+  const internal::Simplification_parameters parameters = internal::simplification_parameters(np);
 
   std::vector<Node> nodes;
   std::vector<Arc> arcs;
@@ -135,15 +349,10 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   internal::read_graph(graph, nodes, arcs, ends);
 
   const std::vector<double> values = internal::values_of_nodes(nodes);
-  const std::vector<double> thresholds =
-      is_absolute ? std::vector<double>(nodes.size(), threshold)
-                  : internal::fractions_of_component_ranges(values, ends, threshold);
-
-  internal::Branch_cancellation cancellation(values, ends);
-  cancellation.run([&](const internal::Extremum_pair& pair) {
-    return pair.persistence < thresholds[pair.extremum];
-  });
-  const internal::Remaining_graph remaining = internal::remaining_graph(cancellation, nodes.size());
+  internal::Simplification simplification(values, ends, parameters);
+  simplification.run();
+  internal::Branch_cancellation& folded = simplification.folded_graph();
+  const internal::Remaining_graph remaining = internal::remaining_graph(folded, nodes.size());
 
   std::vector<Node> remaining_nodes;
   remaining_nodes.reserve(remaining.nodes.size());
@@ -153,48 +362,61 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
 
   const bool has_arc_vertices =
       std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
-  if (has_arc_vertices || has_vertex_arc_map) {
+  if (has_arc_vertices || has_vertex_arc_map || has_face_arc_map) {
     const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
     using VIM = std::decay_t<decltype(vertex_index_map)>;
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(
         tmesh, scalar_map, vertex_index_map);
 
-    auto arc_after = [&](vertex_descriptor v, std::uint32_t arc) {
-      return remaining.position_of_arc[cancellation.arc_after(
-          arc, [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
+    internal::Arc_images arc_images(folded);
+    const auto arc_after = [&](vertex_descriptor v, std::size_t arc) {
+      return remaining.position_of_arc[arc_images.arc_after(
+          static_cast<std::uint32_t>(arc),
+          [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
     };
-    // the vertices of the nodes that stay belong to an arc of the node whatever their old arc became
+    // The vertices of the nodes that stay belong to an arc of the node whatever their old arc
+    // became. Several nodes may lie at one vertex: it belongs to an arc of the first one.
     std::vector<std::uint32_t> arc_of_node_vertex(internal::index_bound(tmesh, vertex_index_map),
                                                   internal::no_arc);
-    for (std::size_t i = 0; i < remaining_nodes.size(); ++i)
-      arc_of_node_vertex[get(vertex_index_map, remaining_nodes[i].vertex)] =
-          remaining.first_arc_of_node[i];
-    auto new_arc = [&](vertex_descriptor v, std::uint32_t arc) {
+    for (std::size_t i = 0; i < remaining_nodes.size(); ++i) {
+      std::uint32_t& arc = arc_of_node_vertex[get(vertex_index_map, remaining_nodes[i].vertex)];
+      if (arc == internal::no_arc)
+        arc = remaining.first_arc_of_node[i];
+    }
+    const auto new_arc = [&](vertex_descriptor v, std::size_t arc) -> std::size_t {
       const std::uint32_t arc_of_node = arc_of_node_vertex[get(vertex_index_map, v)];
       return arc_of_node == internal::no_arc ? arc_after(v, arc) : arc_of_node;
     };
 
+    if constexpr (has_vertex_arc_map)
+      internal::check_arc_numbers(vertices(tmesh),
+                                  arcs.size(),
+                                  internal::get_own_parameter(np, internal::tags::vertex_arc_map),
+                                  "vertex");
+    if constexpr (has_face_arc_map)
+      internal::check_arc_numbers(faces(tmesh),
+                                  arcs.size(),
+                                  internal::get_own_parameter(np, internal::tags::face_arc_map),
+                                  "face");
+
     if (has_arc_vertices) {
       for (std::size_t i = 0; i < arcs.size(); ++i)
         for (const vertex_descriptor v : arcs[i].vertices)
-          remaining_arcs[new_arc(v, static_cast<std::uint32_t>(i))].vertices.push_back(v);
+          remaining_arcs[new_arc(v, i)].vertices.push_back(v);
       for (Arc& arc : remaining_arcs)
         std::sort(arc.vertices.begin(), arc.vertices.end(), order);
     }
-    if constexpr (has_vertex_arc_map) {
-      auto vertex_arc_map = internal::get_own_parameter(np, internal::tags::vertex_arc_map);
-      using Number = typename boost::property_traits<decltype(vertex_arc_map)>::value_type;
-      for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-        const Number arc = get(vertex_arc_map, v);
-        if (arc != static_cast<Number>(null_arc) && static_cast<std::size_t>(arc) >= arcs.size())
-          throw Reeb_graph_error("the vertex arc map does not belong to the Reeb graph");
-      }
-      for (vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-        const Number arc = get(vertex_arc_map, v);
-        if (arc != static_cast<Number>(null_arc))
-          put(vertex_arc_map, v, static_cast<Number>(new_arc(v, static_cast<std::uint32_t>(arc))));
-      }
-    }
+    if constexpr (has_vertex_arc_map)
+      internal::update_arc_numbers(vertices(tmesh),
+                                   internal::get_own_parameter(np, internal::tags::vertex_arc_map),
+                                   new_arc);
+    if constexpr (has_face_arc_map)
+      internal::update_arc_numbers(faces(tmesh),
+                                   internal::get_own_parameter(np, internal::tags::face_arc_map),
+                                   [&](face_descriptor f, std::size_t arc) -> std::size_t {
+                                     return arc_after(internal::middle_vertex(f, tmesh, order),
+                                                      arc);
+                                   });
   }
   graph = internal::make_graph<MutableGraph>(
       remaining_nodes.size(),

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_EXTREMUM_PAIRS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 
 #include <algorithm>
@@ -24,25 +25,12 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph upside
-// down, so the code says it once, for a side.
-enum Side { BELOW = 0, ABOVE = 1 };
-
-inline bool lies_towards(Side side, std::uint32_t i, std::uint32_t j)
-{
-  return side == BELOW ? i < j : j < i;
-}
-
-inline std::uint32_t end_on(Side side, const Arc_ends& arc)
-{
-  return side == BELOW ? arc.lower : arc.upper;
-}
-
-// A persistence pair: on the side BELOW a minimum and the node where its component of the sublevel set
-// merges into one with a lower minimum; on the side ABOVE a maximum and a node, upside down.
+// A persistence pair: on the side BELOW a minimum and the node where its component of the sublevel
+// set merges into one with a lower minimum; on the side ABOVE a maximum and a node, upside down.
 struct Extremum_pair
 {
   std::uint32_t extremum, saddle;
+  std::uint32_t arc, other_arc; // at the saddle, towards the extremum and the eldest one there
   Side side;
   double persistence;
 };
@@ -56,10 +44,18 @@ inline double persistence_between(double lower, double upper)
 class Extremum_pairing
 {
 public:
-  // `values` increase with the nodes, `arcs` are those of a Reeb graph.
-  Extremum_pairing(const std::vector<double>& values, const std::vector<Arc_ends>& arcs)
+  // `values` increase with the nodes. Of `arcs`, those for which `is_arc(arc)` holds are the arcs
+  // of a Reeb graph.
+  template <class IsArc>
+  Extremum_pairing(const std::vector<double>& values,
+                   const std::vector<Arc_ends>& arcs,
+                   const IsArc& is_arc)
     : m_values(values), m_arcs(arcs)
-  {}
+  {
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+      if (is_arc(arc))
+        m_arc_numbers.push_back(arc);
+  }
 
   // All pairs, such that a pair comes after the pairs inside its branch.
   std::vector<Extremum_pair> run()
@@ -84,51 +80,61 @@ private:
   {
     const std::size_t n = m_values.size();
     // the arcs of every node on the side, by counting sort
-    const Side other_side = side == BELOW ? ABOVE : BELOW;
+    const Side other_side = opposite_side(side);
     std::vector<std::size_t> begin(n + 1, 0);
-    for (const Arc_ends& arc : m_arcs)
-      ++begin[end_on(other_side, arc) + 1];
+    for (const std::uint32_t arc : m_arc_numbers)
+      ++begin[end_on(other_side, m_arcs[arc]) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::uint32_t> neighbors(m_arcs.size());
+    std::vector<std::uint32_t> sorted(m_arc_numbers.size());
     std::vector<std::size_t> position(begin.begin(), begin.end() - 1);
-    for (const Arc_ends& arc : m_arcs)
-      neighbors[position[end_on(other_side, arc)]++] = end_on(side, arc);
+    for (const std::uint32_t arc : m_arc_numbers)
+      sorted[position[end_on(other_side, m_arcs[arc])]++] = arc;
 
     m_sets = Number_sets(n);
     m_extremum.resize(n);
     std::iota(m_extremum.begin(), m_extremum.end(), 0);
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint32_t node = static_cast<std::uint32_t>(side == BELOW ? k : n - 1 - k);
+      const std::size_t number_of_pairs = m_pairs.size();
       for (std::size_t i = begin[node]; i < begin[node + 1]; ++i)
-        add_neighbor(side, node, neighbors[i]);
+        add_arc(side, node, sorted[i]);
+      for (std::size_t i = number_of_pairs; i < m_pairs.size(); ++i)
+        m_pairs[i].other_arc = m_elder_arc;
     }
   }
 
-  void add_neighbor(Side side, std::uint32_t node, std::uint32_t neighbor)
+  void add_arc(Side side, std::uint32_t node, std::uint32_t arc)
   {
-    const std::uint32_t a = m_sets.root(node), b = m_sets.root(neighbor);
+    const std::uint32_t a = m_sets.root(node), b = m_sets.root(end_on(side, m_arcs[arc]));
     if (a == b)
       return;
     m_sets.join(a, b);
-    if (m_extremum[a] == node) // the first neighbor: nothing merges yet
+    if (m_extremum[a] == node) { // the first neighbor: nothing merges yet
+      m_elder_arc = arc;
       return;
-    const bool is_a_younger = lies_towards(side, m_extremum[b], m_extremum[a]);
-    add_pair(side, is_a_younger ? m_extremum[a] : m_extremum[b], node);
-    if (!is_a_younger)
+    }
+    if (lies_towards(side, m_extremum[b], m_extremum[a])) {
+      add_pair(side, m_extremum[a], node, m_elder_arc);
+      m_elder_arc = arc;
+    } else {
+      add_pair(side, m_extremum[b], node, arc);
       m_extremum[b] = m_extremum[a];
+    }
   }
 
-  void add_pair(Side side, std::uint32_t extremum, std::uint32_t saddle)
+  void add_pair(Side side, std::uint32_t extremum, std::uint32_t saddle, std::uint32_t arc)
   {
     const double persistence = side == BELOW
                                    ? persistence_between(m_values[extremum], m_values[saddle])
                                    : persistence_between(m_values[saddle], m_values[extremum]);
-    m_pairs.push_back({extremum, saddle, side, persistence});
+    m_pairs.push_back({extremum, saddle, arc, no_arc, side, persistence});
   }
 
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_arcs;
-  Number_sets m_sets;                    // the components so far, of nodes
+  std::vector<std::uint32_t> m_arc_numbers;
+  std::uint32_t m_elder_arc = no_arc; // at the current node, towards the extremum of its component
+  Number_sets m_sets;                 // the components so far, of nodes
   std::vector<std::uint32_t> m_extremum; // of a component, at its root
   std::vector<Extremum_pair> m_pairs;
 };

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_REMAINING_GRAPH_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,32 +21,31 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// What a cancellation leaves of a Reeb graph, in terms of the graph before.
+// What folding leaves of a Reeb graph, in terms of the graph before.
 struct Remaining_graph
 {
   std::vector<std::uint32_t> nodes;             // numbers of the nodes that are left, increasing
   std::vector<Arc_ends> arcs;                   // between positions in `nodes`
   std::vector<std::uint32_t> first_arc_of_node; // begins there, or else ends there; by position
-  std::vector<std::uint32_t> position_of_arc;   // by the arcs of the cancellation
+  std::vector<std::uint32_t> position_of_arc;   // by the arcs of the folded graph
 };
 
-inline Remaining_graph
-remaining_graph(const Branch_cancellation& cancellation, std::size_t number_of_nodes)
+inline Remaining_graph remaining_graph(const Folded_graph& folded, std::size_t number_of_nodes)
 {
   Remaining_graph result;
   std::vector<std::uint32_t> position_of_node(number_of_nodes, no_node);
   for (std::uint32_t node = 0; node < number_of_nodes; ++node) {
-    if (cancellation.is_node(node)) {
+    if (folded.is_node(node)) {
       position_of_node[node] = static_cast<std::uint32_t>(result.nodes.size());
       result.nodes.push_back(node);
     }
   }
 
   // arcs in the order of their lower nodes, stable, by counting sort
-  const std::vector<Arc_ends>& arcs = cancellation.arcs();
+  const std::vector<Arc_ends>& arcs = folded.arcs();
   std::vector<std::uint32_t> begin(number_of_nodes + 1, 0);
   for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    if (cancellation.is_arc(arc))
+    if (folded.is_arc(arc))
       ++begin[arcs[arc].lower + 1];
   for (std::size_t i = 0; i < number_of_nodes; ++i)
     begin[i + 1] += begin[i];
@@ -54,7 +53,7 @@ remaining_graph(const Branch_cancellation& cancellation, std::size_t number_of_n
   result.position_of_arc.assign(arcs.size(), no_arc);
   result.first_arc_of_node.assign(result.nodes.size(), no_arc);
   for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
-    if (!cancellation.is_arc(arc))
+    if (!folded.is_arc(arc))
       continue;
     const std::uint32_t position = begin[arcs[arc].lower]++;
     result.arcs[position] = {position_of_node[arcs[arc].lower], position_of_node[arcs[arc].upper]};

@@ -21,10 +21,14 @@ CGAL_add_named_parameter(minima_as_feature_points_t,
                          minima_as_feature_points)
 CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
 CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
+CGAL_add_named_parameter(loop_persistence_threshold_t,
+                         loop_persistence_threshold,
+                         loop_persistence_threshold)
+CGAL_add_named_parameter(number_of_leaves_t, number_of_leaves, number_of_leaves)
 CGAL_add_named_parameter(vertex_value_map_t, vertex_value_map, vertex_value_map)
 CGAL_add_named_parameter(vertex_arc_map_t, vertex_arc_map, vertex_arc_map)
-CGAL_add_named_parameter(collect_arc_vertices_t, collect_arc_vertices, collect_arc_vertices)
 CGAL_add_named_parameter(face_arc_map_t, face_arc_map, face_arc_map)
+CGAL_add_named_parameter(collect_arc_vertices_t, collect_arc_vertices, collect_arc_vertices)
 CGAL_add_named_parameter(unfold_multiple_saddles_t,
                          unfold_multiple_saddles,
                          unfold_multiple_saddles)

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 
@@ -59,6 +60,10 @@ void read_graph(const Graph& graph,
     nodes[i] = node_map[n];
     is_node_read[i] = true;
   }
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (nodes[i].value < nodes[i - 1].value)
+      throw Reeb_graph_error("the values of the nodes of the Reeb graph do not increase with their "
+                             "numbers");
   for (auto e : CGAL::make_range(edges(graph))) {
     const std::size_t i = arc_map[e].id;
     if (i >= arcs.size() || is_arc_read[i])
@@ -67,12 +72,32 @@ void read_graph(const Graph& graph,
     is_arc_read[i] = true;
     const std::pair<std::size_t, std::size_t> ids =
         std::minmax({node_map[source(e, graph)].id, node_map[target(e, graph)].id});
+    if (ids.first == ids.second)
+      throw Reeb_graph_error("an arc of the Reeb graph begins and ends at the same node");
     ends[i] = {static_cast<std::uint32_t>(ids.first), static_cast<std::uint32_t>(ids.second)};
   }
 }
 
-// The values of the nodes for differences in `double`. Numbers that are not floating-point ones may have
-// more digits: what is converted is their difference to the lowest value, exactly or nearly.
+// The difference of two values in `double`, also of infinite ones: equal values have difference 0.
+// Numbers that are not floating-point ones may have more digits: what is converted is the
+// difference, exactly or nearly.
+template <class FT>
+double difference(const FT& lower, const FT& upper)
+{
+  if constexpr (std::is_floating_point<FT>::value) {
+    return persistence_between(lower, upper);
+  } else if constexpr (std::is_integral<FT>::value) {
+    // in unsigned numbers the difference cannot overflow
+    using Unsigned = std::make_unsigned_t<FT>;
+    return static_cast<double>(
+        static_cast<Unsigned>(static_cast<Unsigned>(upper) - static_cast<Unsigned>(lower)));
+  } else {
+    return CGAL::to_double(upper - lower);
+  }
+}
+
+// The values of the nodes for differences in `double`: floating-point numbers as they are, others
+// less the lowest one.
 template <class Node>
 std::vector<double> values_of_nodes(const std::vector<Node>& nodes)
 {
@@ -80,23 +105,16 @@ std::vector<double> values_of_nodes(const std::vector<Node>& nodes)
   std::vector<double> values;
   values.reserve(nodes.size());
   for (const Node& node : nodes) {
-    const FT& least = nodes.front().value;
-    if constexpr (std::is_floating_point<FT>::value) {
-      values.push_back(node.value);
-    } else if constexpr (std::is_integral<FT>::value) {
-      // in unsigned numbers the difference cannot overflow
-      using Unsigned = std::make_unsigned_t<FT>;
-      const Unsigned difference =
-          static_cast<Unsigned>(static_cast<Unsigned>(node.value) - static_cast<Unsigned>(least));
-      values.push_back(static_cast<double>(difference));
-    } else {
-      values.push_back(CGAL::to_double(node.value - least));
-    }
+    if constexpr (std::is_floating_point<FT>::value)
+      values.push_back(static_cast<double>(node.value));
+    else
+      values.push_back(difference(nodes.front().value, node.value));
   }
   return values;
 }
 
-// For every node the fraction of the range of finite values of the nodes in its connected component.
+// For every node the fraction of the range of finite values of the nodes in its connected
+// component.
 inline std::vector<double> fractions_of_component_ranges(const std::vector<double>& values,
                                                          const std::vector<Arc_ends>& ends,
                                                          double fraction)

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FOLDED_GRAPH_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FOLDED_GRAPH_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph
+// upside down, so the code says it once, for a side.
+enum Side { BELOW = 0, ABOVE = 1 };
+
+inline Side opposite_side(Side side)
+{
+  return side == BELOW ? ABOVE : BELOW;
+}
+
+inline bool lies_towards(Side side, std::uint32_t i, std::uint32_t j)
+{
+  return side == BELOW ? i < j : j < i;
+}
+
+inline std::uint32_t end_on(Side side, const Arc_ends& arc)
+{
+  return side == BELOW ? arc.lower : arc.upper;
+}
+
+// A Reeb graph while it is simplified: points of the same height are glued to each other, so that
+// arcs are cut at the heights of nodes and go into other arcs. It remembers what became of every
+// arc, for the vertices of the mesh to follow. All changes take constant time, also at nodes with
+// many arcs.
+class Folded_graph
+{
+public:
+  Folded_graph(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
+    : m_arcs(arcs)
+    , m_fates(arcs.size())
+    , m_heirs(arcs.size())
+    , m_links(arcs.size())
+    , m_arcs_of_node(number_of_nodes)
+    , m_is_removed(number_of_nodes, false)
+  {
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
+      m_heirs[arc] = {arc, arc};
+      attach(arc);
+    }
+  }
+
+  std::size_t number_of_nodes() const { return m_arcs_of_node.size(); }
+
+  // A node is left if it has arcs that do not just pass through.
+  bool is_node(std::uint32_t node) const { return !m_is_removed[node]; }
+
+  bool is_arc(std::uint32_t arc) const { return m_fates[arc].kind == STAYS; }
+
+  // All that ever were.
+  const std::vector<Arc_ends>& arcs() const { return m_arcs; }
+
+  std::size_t number_of_arcs(Side side, std::uint32_t node) const
+  {
+    return m_arcs_of_node[node][side].size;
+  }
+
+  std::uint32_t first_arc(Side side, std::uint32_t node) const
+  {
+    return m_arcs_of_node[node][side].first;
+  }
+
+  // The next arc on the same side of the same node.
+  std::uint32_t next_arc(Side side, std::uint32_t arc) const { return m_links[arc][side].next; }
+
+  // The arc that a vertex belongs to which belonged to `arc` at the beginning. `is_below(node)`
+  // tells whether the vertex lies below a node.
+  template <class IsBelow>
+  std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
+  {
+    for (;;) {
+      Fate& fate = m_fates[arc];
+      if (fate.kind == STAYS)
+        return arc;
+      if (fate.kind == GOES_INTO) {
+        Fate& next = m_fates[fate.arc];
+        if (next.kind == GOES_INTO)
+          fate = next; // halves the path for later queries
+        arc = fate.arc;
+      } else {
+        arc = is_below(fate.node) ? fate.arc : fate.upper_arc;
+      }
+    }
+  }
+
+  // The arc that now has the end of `arc` on a side.
+  std::uint32_t heir(Side side, std::uint32_t arc)
+  {
+    while (m_heirs[arc][side] != arc)
+      arc = m_heirs[arc][side] = m_heirs[m_heirs[arc][side]][side];
+    return arc;
+  }
+
+  // Lets the end of `arc` on a side be that of `other`.
+  void set_heir(Side side, std::uint32_t arc, std::uint32_t other) { m_heirs[arc][side] = other; }
+
+  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they
+  // are set.
+  void glue(std::uint32_t arc, std::uint32_t other)
+  {
+    detach(arc);
+    m_fates[arc].kind = GOES_INTO;
+    m_fates[arc].arc = other;
+  }
+
+  // Glues a node to a point inside an arc. Returns the lower and the upper part of the arc.
+  Arc_ends cut(std::uint32_t arc, std::uint32_t node)
+  {
+    detach(arc);
+    const std::uint32_t lower_arc = add_arc({m_arcs[arc].lower, node});
+    const std::uint32_t upper_arc = add_arc({node, m_arcs[arc].upper});
+    m_fates[arc] = {IS_CUT, lower_arc, upper_arc, node};
+    m_heirs[arc] = {lower_arc, upper_arc};
+    return {lower_arc, upper_arc};
+  }
+
+  // Removes a node that has no arcs any more.
+  void remove_node(std::uint32_t node) { m_is_removed[node] = true; }
+
+  // A node with one arc below and one above is none: the two arcs become one. Returns that arc,
+  // or `no_arc` if the node is another one.
+  std::uint32_t pass_through_if_regular(std::uint32_t node)
+  {
+    if (m_is_removed[node] || number_of_arcs(BELOW, node) != 1 || number_of_arcs(ABOVE, node) != 1)
+      return no_arc;
+    m_is_removed[node] = true;
+    const std::uint32_t below = first_arc(BELOW, node), above = first_arc(ABOVE, node);
+    const std::uint32_t arc = add_arc({m_arcs[below].lower, m_arcs[above].upper});
+    glue(below, arc);
+    glue(above, arc);
+    set_heir(BELOW, below, arc);
+    set_heir(ABOVE, above, arc);
+    return arc;
+  }
+
+private:
+  // What became of an arc: it stays; it went into another one; or it was cut at a node into a lower
+  // and an upper arc.
+  enum Fate_kind { STAYS, GOES_INTO, IS_CUT };
+
+  struct Fate
+  {
+    Fate_kind kind = STAYS;
+    std::uint32_t arc = no_arc; // the one it went into, or the lower one
+    std::uint32_t upper_arc = no_arc;
+    std::uint32_t node = no_node;
+  };
+
+  // The arcs on a side of a node are a linked list: nodes may have very many.
+  struct Links
+  {
+    std::uint32_t previous = no_arc, next = no_arc;
+  };
+
+  struct Arcs_of_side
+  {
+    std::uint32_t first = no_arc, last = no_arc, size = 0;
+  };
+
+  std::uint32_t add_arc(const Arc_ends& ends)
+  {
+    const std::uint32_t arc = static_cast<std::uint32_t>(m_arcs.size());
+    m_arcs.push_back(ends);
+    m_fates.emplace_back();
+    m_heirs.push_back({arc, arc});
+    m_links.emplace_back();
+    attach(arc);
+    return arc;
+  }
+
+  void attach(std::uint32_t arc)
+  {
+    for (const Side side : {BELOW, ABOVE}) {
+      Arcs_of_side& arcs = m_arcs_of_node[end_on(opposite_side(side), m_arcs[arc])][side];
+      m_links[arc][side] = {arcs.last, no_arc};
+      (arcs.last == no_arc ? arcs.first : m_links[arcs.last][side].next) = arc;
+      arcs.last = arc;
+      ++arcs.size;
+    }
+  }
+
+  void detach(std::uint32_t arc)
+  {
+    for (const Side side : {BELOW, ABOVE}) {
+      Arcs_of_side& arcs = m_arcs_of_node[end_on(opposite_side(side), m_arcs[arc])][side];
+      const Links& links = m_links[arc][side];
+      (links.previous == no_arc ? arcs.first : m_links[links.previous][side].next) = links.next;
+      (links.next == no_arc ? arcs.last : m_links[links.next][side].previous) = links.previous;
+      --arcs.size;
+    }
+  }
+
+  std::vector<Arc_ends> m_arcs;
+  std::vector<Fate> m_fates;                         // by arc
+  std::vector<std::array<std::uint32_t, 2>> m_heirs; // by arc and side; paths are halved
+  std::vector<std::array<Links, 2>> m_links; // by arc and side, in the list of the arc's other end
+  std::vector<std::array<Arcs_of_side, 2>> m_arcs_of_node;
+  std::vector<bool> m_is_removed;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FOLDED_GRAPH_H
