@@ -133,10 +133,14 @@ void floor_pass(const Mesh& mesh,
   benchmark::DoNotOptimize(count.data());
 }
 
+// Three times, since the slowest graphs are computed once only, and the least time counts.
 double time_floor(const Input& input)
 {
   std::vector<std::uint8_t> count(input.mesh.number_of_vertices());
-  return seconds_for([&]() { floor_pass(input.mesh, input.values, count); });
+  double least = not_measured;
+  for (int i = 0; i < 3; ++i)
+    take_minimum(least, seconds_for([&]() { floor_pass(input.mesh, input.values, count); }));
+  return least;
 }
 
 template <Algorithm algorithm>
