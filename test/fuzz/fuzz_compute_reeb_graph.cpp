@@ -13,13 +13,13 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <tuple>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 using namespace Reeb_graph_test;
@@ -61,17 +61,18 @@ struct Dense_mesh
   }
 };
 
-// A graph with the arc of every vertex.
+// A graph with the arcs of all vertices and faces.
 struct Output
 {
   Graph graph;
   std::vector<std::size_t> arc_of_vertex; // by number in the dense mesh
+  std::vector<std::size_t> arc_of_face;
 };
 
 bool is_same(const Output& a, const Output& b)
 {
-  if (a.arc_of_vertex != b.arc_of_vertex || num_vertices(a.graph) != num_vertices(b.graph) ||
-      num_edges(a.graph) != num_edges(b.graph))
+  if (a.arc_of_vertex != b.arc_of_vertex || a.arc_of_face != b.arc_of_face ||
+      num_vertices(a.graph) != num_vertices(b.graph) || num_edges(a.graph) != num_edges(b.graph))
     return false;
   for (std::size_t node = 0; node < num_vertices(a.graph); ++node) {
     const auto& m = a.graph[node];
@@ -134,6 +135,7 @@ public:
     m_values = mesh.add_property_map<Vertex, double>("v:value").first;
     m_ranks = mesh.add_property_map<Vertex, double>("v:rank").first;
     m_arcs = mesh.add_property_map<Vertex, std::size_t>("v:arc").first;
+    m_face_arcs = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:arc").first;
     for (std::size_t i = 0; i < values.size(); ++i)
       m_values[m_dense.vertex[i]] = values[i];
     rank();
@@ -200,11 +202,14 @@ private:
                              values,
                              output.graph,
                              SMRG::parameters::vertex_arc_map(m_arcs)
+                                 .face_arc_map(m_face_arcs)
                                  .collect_arc_vertices(true)
                                  .unfold_multiple_saddles(unfold)
                                  .algorithm(algorithm));
     for (const Vertex v : m_dense.vertex)
       output.arc_of_vertex.push_back(m_arcs[v]);
+    for (const Mesh::Face_index f : m_mesh.faces())
+      output.arc_of_face.push_back(m_face_arcs[f]);
     return output;
   }
 
@@ -281,6 +286,7 @@ private:
   Dense_mesh m_dense;
   Value_map m_values, m_ranks;
   Arc_map m_arcs;
+  Mesh::Property_map<Mesh::Face_index, std::size_t> m_face_arcs;
   std::vector<std::size_t> m_rank; // by number in the dense mesh
 };
 
