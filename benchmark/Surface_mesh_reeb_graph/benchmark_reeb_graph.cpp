@@ -48,11 +48,11 @@ namespace {
 
 constexpr const char* usage =
     "Options of this program, beside those that --help lists:\n"
-    "  --largest=N          meshes of up to about N triangles (700000; for the scaling up to\n"
-    "                       4 million vertices: 8000000, which takes some hours and 4 GB)\n"
+    "  --largest=N          meshes of up to about N triangles (700000; 8000000 shows the\n"
+    "                       scaling up to 4 million vertices)\n"
     "  --mapping_largest=N  the commute-time mapping function up to N triangles (50000)\n"
     "  --vtk_largest=N      VTK, where it was found, up to N triangles (165000)\n"
-    "  --vtk_functions=all  VTK with noise too (smooth), which it may take hours for\n"
+    "  --vtk_functions=all  VTK with noise too, not only smooth functions\n"
     "  --table=FILE         writes the results as tables in Markdown\n";
 
 struct Options
