@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# What is too long for every change: 50000 random cases in the tests of the Reeb graph, optimized and
+# under the sanitizers, and an hour of fuzzing. Takes about three hours and prints what fails, and a last
+# line "N passed, N failed". FUZZING_SECONDS and REEB_GRAPH_TEST_CASES in the environment change that.
+set -euo pipefail
+
+# shellcheck source=examples/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../examples/common.sh"
+
+export REEB_GRAPH_TEST_CASES=${REEB_GRAPH_TEST_CASES:-50000}
+fuzzing_seconds=${FUZZING_SECONDS:-3600}
+
+passed=0
+failed=0
+
+# Runs a check and shows what it says if it fails.
+check()
+{
+  local start=$SECONDS
+  progress "$1 ..."
+  if "${@:2}"; then
+    passed=$((passed + 1))
+    echo "ok      $1 ($((SECONDS - start)) s)"
+  else
+    failed=$((failed + 1))
+    echo "FAILED  $1 ($((SECONDS - start)) s)"
+  fi
+}
+
+# random_tests PRESET TESTS [BUILD_OPTION]...: those whose names match; the seeds that fail are in the
+# output.
+random_tests()
+{
+  configure "$1" && build "$1" "${@:3}" && run_tests "$1" -R "^test_($2)\$" --timeout 36000
+}
+
+# What the fuzzer finds interesting is kept, and the next night goes on from there.
+fuzz()
+(
+  local folder=$root/build/fuzzing
+  mkdir -p "$folder/corpus" "$folder/failures"
+  # In parallel it writes files to the current folder.
+  configure clang && build clang --target fuzz_compute_reeb_graph && cd "$folder" &&
+    quietly "$root/build/clang/test/fuzz/fuzz_compute_reeb_graph" \
+      -max_total_time="$fuzzing_seconds" -len_control=0 -max_len=400 -timeout=60 \
+      -jobs="$(number_of_jobs)" -workers="$(number_of_jobs)" \
+      -artifact_prefix="$folder/failures/" "$folder/corpus"
+)
+
+start_log "$root/build/nightly.log"
+install_missing g++ clang libclang-rt-dev cmake make libcgal-dev libeigen3-dev libspectra-dev \
+  libboost-dev libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev
+
+# The agreement with VTK is there where VTK is.
+check "random tests (release)" \
+  random_tests release 'compute_reeb_graph|simplify_reeb_graph|vtk_agreement'
+check "random tests (sanitizers)" \
+  random_tests sanitize 'compute_reeb_graph|simplify_reeb_graph' \
+  --target test_compute_reeb_graph test_simplify_reeb_graph
+check "fuzzing" fuzz
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
