@@ -343,7 +343,8 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
   std::vector<std::vector<vertex_descriptor>> arc_vertices;
   if (collects_arc_vertices)
     arc_vertices = internal::vertices_of_arcs<ConcurrencyTag>(list, tmesh, vertex_index_map, order);
-  graph = internal::make_graph<MutableGraph>(
+  internal::write_graph(
+      graph,
       list.nodes.size(),
       list.arcs,
       [&](std::size_t i) {

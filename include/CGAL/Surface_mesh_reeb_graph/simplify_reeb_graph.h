@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/read_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
@@ -119,21 +120,6 @@ void update_arc_numbers(const Range& keys, ArcMap arc_map, const NewArc& new_arc
     if (arc != static_cast<Number>(null_arc))
       put(arc_map, key, static_cast<Number>(new_arc(key, static_cast<std::size_t>(arc))));
   }
-}
-
-// The second one of the three vertices of a face in the order.
-template <class TriangleMesh, class VertexOrder>
-typename boost::graph_traits<TriangleMesh>::vertex_descriptor
-middle_vertex(typename boost::graph_traits<TriangleMesh>::face_descriptor f,
-              const TriangleMesh& tmesh,
-              const VertexOrder& order)
-{
-  const auto h = halfedge(f, tmesh);
-  auto u = source(h, tmesh), v = target(h, tmesh);
-  const auto w = target(next(h, tmesh), tmesh);
-  if (order(v, u))
-    std::swap(u, v);
-  return order(w, u) ? u : order(v, w) ? v : w;
 }
 
 // Simplifies a folded graph as simplify_reeb_graph() says.
@@ -418,7 +404,8 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
                                                       arc);
                                    });
   }
-  graph = internal::make_graph<MutableGraph>(
+  internal::write_graph(
+      graph,
       remaining_nodes.size(),
       remaining.arcs,
       [&](std::size_t i) { return std::move(remaining_nodes[i]); },

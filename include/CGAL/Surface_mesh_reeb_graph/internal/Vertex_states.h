@@ -132,9 +132,11 @@ private:
                    Part& part,
                    std::vector<std::uint8_t>& states)
   {
+    // without branches, which could not be predicted where the function is noisy
     const auto count = [&](std::size_t i, bool is_middle) {
+      const unsigned state = states[i];
       states[i] = static_cast<std::uint8_t>(
-          states[i] + ((states[i] & LARGEST_NUMBER) != LARGEST_NUMBER ? is_middle : 0));
+          state + (unsigned(is_middle) & unsigned((state & LARGEST_NUMBER) != LARGEST_NUMBER)));
     };
     bool is_strict = true, is_triangulated = true;
     for (FaceIterator f = begin; f != end; ++f) {
@@ -144,7 +146,7 @@ private:
       const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
       const bool a = k0 < k1, b = k1 < k2, c = k2 < k0;
       // values that are not numbers are not distinct either
-      is_strict = is_strict && (a || k1 < k0) && (b || k2 < k1) && (c || k0 < k2);
+      is_strict = is_strict & (a | (k1 < k0)) & (b | (k2 < k1)) & (c | (k0 < k2));
       count(get(vertex_index_map, v0), c == a);
       count(get(vertex_index_map, v1), a == b);
       count(get(vertex_index_map, v2), b == c);

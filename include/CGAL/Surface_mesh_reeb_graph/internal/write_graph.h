@@ -13,10 +13,10 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/prefetch.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -55,8 +55,16 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
   return result;
 }
 
-// Boost's adjacency lists let the memory for the edges of a vertex be allocated at once. Where a function is
-// noisy, half of all time would go into letting it grow.
+// Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and looked for before
+// it is needed. Where a function is noisy, half of all time would go into waiting for it otherwise. (Making a graph
+// aside and moving it would not help: they cannot be moved, only copied.)
+template <class MutableGraph>
+auto reserve_nodes(std::size_t number, MutableGraph& graph)
+    -> decltype(graph.m_vertices.reserve(number))
+{
+  graph.m_vertices.reserve(number);
+}
+
 template <class MutableGraph>
 auto reserve_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor v,
                    std::size_t number,
@@ -65,29 +73,32 @@ auto reserve_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor
   graph.out_edge_list(v).reserve(number);
 }
 
+template <class MutableGraph>
+auto prefetch_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor v,
+                    MutableGraph& graph) -> decltype(graph.out_edge_list(v).data(), void())
+{
+  prefetch(graph.out_edge_list(v).data());
+}
+
+// for all other graphs
+template <class... Any>
+void reserve_nodes(const Any&...)
+{}
 template <class... Any>
 void reserve_edges(const Any&...)
 {}
+template <class... Any>
+void prefetch_edges(const Any&...)
+{}
 
-// A graph type whose nodes can be made all at once.
-template <class MutableGraph>
-struct Makes_nodes_at_once : std::false_type
-{
-};
-
-template <class OutEdges, class Directed, class Node, class Arc, class Graph, class Edges>
-struct Makes_nodes_at_once<
-    boost::adjacency_list<OutEdges, boost::vecS, Directed, Node, Arc, Graph, Edges>>
-  : std::true_type
-{
-};
-
-// Makes a graph; `node(i)` and `arc(i)` give the bundles, whose numbers and types are set here.
+// Replaces the content of `graph`; `node(i)` and `arc(i)` give the bundles, whose numbers and types are set
+// here. If there is not enough memory, the graph is left empty.
 template <class MutableGraph, class Node, class Arc>
-MutableGraph make_graph(std::size_t number_of_nodes,
-                        const std::vector<Arc_ends>& ends,
-                        const Node& node,
-                        const Arc& arc)
+void write_graph(MutableGraph& graph,
+                 std::size_t number_of_nodes,
+                 const std::vector<Arc_ends>& ends,
+                 const Node& node,
+                 const Arc& arc)
 {
   using Graph_traits = boost::graph_traits<MutableGraph>;
   static_assert(std::is_convertible<typename Graph_traits::edge_parallel_category,
@@ -95,38 +106,33 @@ MutableGraph make_graph(std::size_t number_of_nodes,
                 "a Reeb graph needs a graph type that allows parallel edges");
 
   const std::vector<Node_degrees> degrees = degrees_of_nodes(number_of_nodes, ends);
-  const auto set_node = [&](auto v, std::size_t i, MutableGraph& graph) {
-    reserve_edges(v, std::size_t(degrees[i].down) + degrees[i].up, graph);
-    Node_bundle<MutableGraph>& bundle = get(boost::vertex_bundle, graph)[v];
-    bundle = node(i);
-    bundle.id = i;
-    bundle.type = reeb_node_type(degrees[i].down, degrees[i].up);
-  };
-  const auto add_arcs = [&](MutableGraph& graph, const auto& descriptor) {
+  std::vector<typename Graph_traits::vertex_descriptor> descriptors;
+  descriptors.reserve(number_of_nodes);
+  try {
+    graph = MutableGraph();
+    reserve_nodes(number_of_nodes, graph);
+    for (std::size_t i = 0; i < number_of_nodes; ++i) {
+      descriptors.push_back(add_vertex(graph));
+      reserve_edges(descriptors[i], std::size_t(degrees[i].down) + degrees[i].up, graph);
+      Node_bundle<MutableGraph>& bundle = get(boost::vertex_bundle, graph)[descriptors[i]];
+      bundle = node(i);
+      bundle.id = i;
+      bundle.type = reeb_node_type(degrees[i].down, degrees[i].up);
+    }
+    constexpr std::size_t distance = 8;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      const auto e = add_edge(descriptor(ends[i].lower), descriptor(ends[i].upper), graph).first;
+      if (i + 2 * distance < ends.size())
+        prefetch(&get(boost::vertex_bundle, graph)[descriptors[ends[i + 2 * distance].upper]]);
+      if (i + distance < ends.size())
+        prefetch_edges(descriptors[ends[i + distance].upper], graph);
+      const auto e = add_edge(descriptors[ends[i].lower], descriptors[ends[i].upper], graph).first;
       Arc_bundle<MutableGraph>& bundle = get(boost::edge_bundle, graph)[e];
       bundle = arc(i);
       bundle.id = i;
     }
-  };
-
-  if constexpr (Makes_nodes_at_once<MutableGraph>::value) {
-    MutableGraph graph(number_of_nodes);
-    for (std::size_t i = 0; i < number_of_nodes; ++i)
-      set_node(i, i, graph);
-    add_arcs(graph, [](std::size_t i) { return i; });
-    return graph;
-  } else {
-    MutableGraph graph;
-    std::vector<typename Graph_traits::vertex_descriptor> descriptors;
-    descriptors.reserve(number_of_nodes);
-    for (std::size_t i = 0; i < number_of_nodes; ++i) {
-      descriptors.push_back(add_vertex(graph));
-      set_node(descriptors.back(), i, graph);
-    }
-    add_arcs(graph, [&](std::size_t i) { return descriptors[i]; });
-    return graph;
+  } catch (...) {
+    graph = MutableGraph();
+    throw;
   }
 }
 
