@@ -18,6 +18,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -41,6 +43,7 @@ public:
   bool classify(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map, const Key& key)
   {
     std::fill(m_states.begin(), m_states.end(), std::uint8_t(0));
+    m_has_border = m_has_faceless_edges = false;
     const auto range = faces(tmesh);
     std::vector<Part> parts(number_of_parts<ConcurrencyTag>(m_states.size()));
     const std::size_t number_of_faces =
@@ -54,32 +57,32 @@ public:
       pass(tmesh, begin, end, vertex_index_map, key, part, p > 0 ? part.states : m_states);
     });
 
-    Part all;
+    bool is_strict = true, is_triangulated = true;
     for (const Part& part : parts) {
-      all.is_strict = all.is_strict && part.is_strict;
-      all.is_triangulated = all.is_triangulated && part.is_triangulated;
-      all.number_of_border_edges += part.number_of_border_edges;
+      is_strict = is_strict && part.is_strict;
+      is_triangulated = is_triangulated && part.is_triangulated;
       for (std::size_t i = 0; i < part.states.size(); ++i)
         m_states[i] = sum(m_states[i], part.states[i]);
     }
-    if (!all.is_triangulated)
+    if (!is_triangulated)
       throw Reeb_graph_error("the mesh has a face that is not a triangle");
     const auto all_halfedges = halfedges(tmesh);
-    m_has_border = all.number_of_border_edges > 0;
-    m_has_faceless_edges =
-        static_cast<std::size_t>(std::distance(all_halfedges.begin(), all_halfedges.end())) !=
-        3 * number_of_faces + all.number_of_border_edges;
-    return all.is_strict;
+    const std::size_t number_of_border_halfedges =
+        static_cast<std::size_t>(std::distance(all_halfedges.begin(), all_halfedges.end())) -
+        3 * number_of_faces;
+    if (number_of_border_halfedges > 0)
+      mark_border(tmesh, vertex_index_map);
+    return is_strict;
   }
 
   // Whether a face has an edge that no other one has, or an edge has no face.
-  bool has_border() const { return m_has_border || m_has_faceless_edges; }
+  bool has_border() const { return m_has_border; }
   bool has_faceless_edges() const { return m_has_faceless_edges; }
 
   // Whether the pass shows that a vertex is regular; all others need a closer look.
   bool is_regular(std::size_t i) const
   {
-    const std::uint8_t state = m_states[i] & ~MARKED;
+    const std::uint8_t state = m_states[i];
     return state == 2 || (state == (BORDER | 1) && !m_has_faceless_edges);
   }
 
@@ -98,17 +101,12 @@ public:
     return number_of_changes(i) < LARGEST_NUMBER;
   }
 
-  // A bit for the use of the algorithm.
-  void mark(std::size_t i) { m_states[i] |= MARKED; }
-  bool is_marked(std::size_t i) const { return (m_states[i] & MARKED) != 0; }
-
 private:
-  enum : std::uint8_t { LARGEST_NUMBER = 15, BORDER = 16, PINCHED = 32, MARKED = 64 };
+  enum : std::uint8_t { LARGEST_NUMBER = 15, BORDER = 16, PINCHED = 32 };
 
   struct Part
   {
     std::vector<std::uint8_t> states;
-    std::size_t number_of_border_edges = 0;
     bool is_strict = true;
     bool is_triangulated = true;
   };
@@ -117,10 +115,7 @@ private:
 
   static std::uint8_t sum(std::uint8_t a, std::uint8_t b)
   {
-    const int number = (a & LARGEST_NUMBER) + (b & LARGEST_NUMBER);
-    const int pinched = (a | b) & PINCHED || (a & b & BORDER) != 0 ? PINCHED : 0;
-    return static_cast<std::uint8_t>((number < LARGEST_NUMBER ? number : LARGEST_NUMBER) |
-                                     ((a | b) & BORDER) | pinched);
+    return static_cast<std::uint8_t>((std::min)(int(a) + int(b), int(LARGEST_NUMBER)));
   }
 
   template <class TriangleMesh, class FaceIterator, class VertexIndexMap, class Key>
@@ -132,36 +127,40 @@ private:
                    Part& part,
                    std::vector<std::uint8_t>& states)
   {
-    // without branches, which could not be predicted where the function is noisy
-    const auto count = [&](std::size_t i, bool is_middle) {
-      const unsigned state = states[i];
-      states[i] = static_cast<std::uint8_t>(
-          state + (unsigned(is_middle) & unsigned((state & LARGEST_NUMBER) != LARGEST_NUMBER)));
-    };
     bool is_strict = true, is_triangulated = true;
     for (FaceIterator f = begin; f != end; ++f) {
       const auto h0 = halfedge(*f, tmesh), h1 = next(h0, tmesh), h2 = next(h1, tmesh);
-      is_triangulated = is_triangulated && next(h2, tmesh) == h0;
       const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = target(h2, tmesh);
       const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
+      // no branches, which could not be predicted where the function is noisy
       const bool a = k0 < k1, b = k1 < k2, c = k2 < k0;
       // values that are not numbers are not distinct either
       is_strict = is_strict & (a | (k1 < k0)) & (b | (k2 < k1)) & (c | (k0 < k2));
-      count(get(vertex_index_map, v0), c == a);
-      count(get(vertex_index_map, v1), a == b);
-      count(get(vertex_index_map, v2), b == c);
-      for (const auto h : {h0, h1, h2}) {
-        const auto g = opposite(h, tmesh);
-        if (is_border(g, tmesh)) {
-          ++part.number_of_border_edges;
-          // one border halfedge points to a vertex in every open fan
-          std::uint8_t& state = states[get(vertex_index_map, target(g, tmesh))];
-          state |= (state & BORDER) != 0 ? PINCHED : BORDER;
-        }
-      }
+      is_triangulated = is_triangulated & (next(h2, tmesh) == h0);
+      const std::array<std::size_t, 3> indices = {
+          static_cast<std::size_t>(get(vertex_index_map, v0)),
+          static_cast<std::size_t>(get(vertex_index_map, v1)),
+          static_cast<std::size_t>(get(vertex_index_map, v2))};
+      std::uint8_t& state = states[indices[unsigned(a == b) + 2 * unsigned(b == c && a != b)]];
+      state = static_cast<std::uint8_t>(state + (state != LARGEST_NUMBER));
     }
     part.is_strict = is_strict;
     part.is_triangulated = is_triangulated;
+  }
+
+  template <class TriangleMesh, class VertexIndexMap>
+  void mark_border(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+  {
+    m_has_border = true;
+    for (const auto h : CGAL::make_range(halfedges(tmesh))) {
+      if (!is_border(h, tmesh))
+        continue;
+      if (is_border(opposite(h, tmesh), tmesh))
+        m_has_faceless_edges = true;
+      // one border halfedge points to a vertex in every open fan
+      std::uint8_t& state = m_states[get(vertex_index_map, target(h, tmesh))];
+      state = static_cast<std::uint8_t>(state | ((state & BORDER) != 0 ? PINCHED : BORDER));
+    }
   }
 
   std::vector<std::uint8_t> m_states; // by vertex index
