@@ -106,10 +106,10 @@ Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
     // so many steps of walks take less time than the sweep
     const std::size_t budget = algorithm == Reeb_graph_algorithm::CUTTING
                                    ? (std::numeric_limits<std::size_t>::max)()
-                                   : 8 * index_bound;
+                                   : 4 * index_bound;
     Arc_list<TriangleMesh> result;
-    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
-            tmesh, order, vertex_index_map, index_bound, states, request)
+    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>(
+            tmesh, order, vertex_index_map, index_bound, halfedge_index_map, states, request)
             .run(budget, result))
       return result;
   }

@@ -165,7 +165,7 @@ public:
     check_fans();
     const Vertex_order<TriangleMesh, VertexScalarMap, VertexIndexMap> order(
         tmesh, scalar_map, m_vertex_index_map);
-    m_vertices = internal::sorted_vertices(tmesh, order, m_vertex_index_map);
+    m_vertices = internal::sorted_vertices<CGAL::Sequential_tag>(tmesh, order);
     m_rank.resize(internal::index_bound(tmesh, m_vertex_index_map));
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       m_rank[get(m_vertex_index_map, m_vertices[i])] = i;

@@ -154,11 +154,11 @@ public:
   /// returns `true` if `u` comes before `v`.
   bool operator()(vertex_descriptor u, vertex_descriptor v) const
   {
+    // the only branch is almost always taken, while which value is less cannot be predicted
     const FT u_value = value(u), v_value = value(v);
-    if (u_value < v_value)
-      return true;
-    if (v_value < u_value)
-      return false;
+    const bool is_less = u_value < v_value;
+    if (is_less != (v_value < u_value))
+      return is_less;
     const std::uint32_t u_distance = plateau_distance(u), v_distance = plateau_distance(v);
     if (u_distance != v_distance)
       return u_distance < v_distance;
@@ -269,7 +269,7 @@ vertices_to_number(const TriangleMesh& tmesh, VertexScalarMap scalar_map, const 
   using VIM = std::decay_t<decltype(vertex_index_map)>;
 
   const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(tmesh, scalar_map, vertex_index_map);
-  auto vertices = sorted_vertices(tmesh, order, vertex_index_map);
+  auto vertices = sorted_vertices<CGAL::Sequential_tag>(tmesh, order);
   check_distinct_numbers<Number>(vertices.size());
   return vertices;
 }

@@ -29,6 +29,25 @@ struct Arc_ends
   std::uint32_t lower, upper; // positions in the list of nodes
 };
 
+// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph
+// upside down, so the code says it once, for a side.
+enum Side { BELOW = 0, ABOVE = 1 };
+
+inline Side opposite_side(Side side)
+{
+  return side == BELOW ? ABOVE : BELOW;
+}
+
+inline bool lies_towards(Side side, std::uint32_t i, std::uint32_t j)
+{
+  return side == BELOW ? i < j : j < i;
+}
+
+inline std::uint32_t end_on(Side side, const Arc_ends& arc)
+{
+  return side == BELOW ? arc.lower : arc.upper;
+}
+
 // What a user wants of a Reeb graph.
 struct Reeb_graph_request
 {

@@ -35,12 +35,12 @@ namespace internal {
 // The vertices that may be critical, as nodes, numbered in their order, and for every wedge of theirs a node in the
 // component of the sublevel (or superlevel) set that it leads to: the end of a monotone path. On demand a
 // multiple saddle is unfolded: it becomes several nodes with the same vertex, which are simple saddles.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
 struct Critical_nodes
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
   using Star = Vertex_star<TriangleMesh>;
 
   std::size_t size() const { return vertex.size(); }
@@ -78,15 +78,19 @@ struct Critical_nodes
 };
 
 // Finds the critical nodes.
-template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
+template <class ConcurrencyTag,
+          class TriangleMesh,
+          class VertexOrder,
+          class VertexIndexMap,
+          class HalfedgeIndexMap>
 class Critical_node_finder
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Paths = typename Nodes::Paths;
   using Star = typename Nodes::Star;
-  using Marks = Cut_marks<TriangleMesh>;
+  using Marks = typename Paths::Marks;
 
 public:
   Critical_node_finder(const TriangleMesh& tmesh,
@@ -104,11 +108,15 @@ public:
   void find(Nodes& nodes, Paths& descents, Paths& ascents) const
   {
     list_nodes(nodes, descents, ascents);
+    std::vector<halfedge_descriptor> lower_halfedge(nodes.lower_begin.back(), null_halfedge());
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      Reader reader = {nodes, descents, ascents, Marks(), Star(), {}, {}};
+      Reader reader = {nodes, lower_halfedge, Star(), {}};
       for (std::size_t i = begin; i < end; ++i)
         read_wedges(static_cast<std::uint32_t>(i), reader);
     });
+    const Marks no_marks;
+    follow(lower_halfedge, descents, no_marks, nodes.lower_end);
+    follow(nodes.upper_halfedge, ascents, no_marks, nodes.upper_end);
     sort(nodes);
   }
 
@@ -119,13 +127,10 @@ public:
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (nodes.upper_begin[i] == nodes.upper_begin[i + 1])
         ascents.set_end(nodes.vertex[i], nodes.mesh_number[i]);
-    for_each_range<ConcurrencyTag>(nodes.upper_end.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<std::size_t> passed;
-      for (std::size_t w = begin; w < end; ++w)
-        if (nodes.upper_halfedge[w] != null_halfedge())
-          nodes.upper_end[w] = nodes.number_of_end(
-              end_of_upper_wedge(nodes.upper_halfedge[w], ascents, marks, passed));
-    });
+    follow(nodes.upper_halfedge, ascents, marks, nodes.upper_end);
+    for (std::size_t w = 0; w < nodes.upper_end.size(); ++w)
+      if (nodes.upper_halfedge[w] != null_halfedge())
+        nodes.upper_end[w] = nodes.number_of_end(nodes.upper_end[w]);
   }
 
 private:
@@ -133,11 +138,8 @@ private:
   struct Reader
   {
     Nodes& nodes;
-    Paths& descents;
-    Paths& ascents;
-    const Marks no_marks;
+    std::vector<halfedge_descriptor>& lower_halfedge; // an edge of every lower wedge
     Star star;
-    std::vector<std::size_t> passed;
     std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
   };
 
@@ -202,18 +204,32 @@ private:
     nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
   }
 
-  std::uint32_t end_of_upper_wedge(halfedge_descriptor h,
-                                   Paths& ascents,
-                                   const Marks& marks,
-                                   std::vector<std::size_t>& passed) const
+  // Finds the ends of the paths through the wedges. A way from a node to another one of the same vertex has no
+  // edge, and ends there.
+  void follow(const std::vector<halfedge_descriptor>& halfedges,
+              Paths& paths,
+              const Marks& marks,
+              std::vector<std::uint32_t>& ends) const
   {
-    const std::uint32_t leaf = marks.leaf(index(target(h, m_tmesh)), h);
-    return leaf != no_node ? leaf : ascents.end(source(h, m_tmesh), marks, passed);
-  }
-
-  std::uint32_t end_of_lower_wedge(halfedge_descriptor h, Reader& reader) const
-  {
-    return reader.descents.end(source(h, m_tmesh), reader.no_marks, reader.passed);
+    for_each_range<ConcurrencyTag>(ends.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint32_t> wedges;
+      wedges.reserve(end - begin);
+      for (std::uint32_t w = static_cast<std::uint32_t>(begin); w < end; ++w) {
+        if (halfedges[w] == null_halfedge())
+          continue;
+        const std::uint32_t leaf = marks.leaf(halfedges[w]);
+        if (leaf != no_node)
+          ends[w] = leaf;
+        else
+          wedges.push_back(w);
+      }
+      paths.follow(
+          0,
+          wedges.size(),
+          marks,
+          [&](std::size_t i) { return source(halfedges[wedges[i]], m_tmesh); },
+          [&](std::size_t i, std::uint32_t node) { ends[wedges[i]] = node; });
+    });
   }
 
   void read_wedges(std::uint32_t node, Reader& reader) const
@@ -237,7 +253,7 @@ private:
     for (const auto& wedge : star.wedges) {
       const halfedge_descriptor h = star.halfedges[wedge.begin];
       if (!wedge.is_upper)
-        nodes.lower_end[lower++] = end_of_lower_wedge(h, reader);
+        reader.lower_halfedge[lower++] = h;
       else
         reader.upper_wedges.emplace_back(
             source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), h);
@@ -246,15 +262,7 @@ private:
               reader.upper_wedges.end(),
               [&](const auto& a, const auto& b) { return m_order(a.first, b.first); });
     for (const auto& wedge : reader.upper_wedges)
-      add_upper_wedge(upper, wedge.second, reader);
-  }
-
-  void add_upper_wedge(std::uint32_t& upper, halfedge_descriptor h, Reader& reader) const
-  {
-    reader.nodes.upper_halfedge[upper] = h;
-    reader.nodes.upper_end[upper] =
-        end_of_upper_wedge(h, reader.ascents, reader.no_marks, reader.passed);
-    ++upper;
+      nodes.upper_halfedge[upper++] = wedge.second;
   }
 
   // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
@@ -274,17 +282,20 @@ private:
     for (std::size_t i = 1; i <= number; ++i) {
       const std::uint32_t node = first + static_cast<std::uint32_t>(i - 1);
       std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
-      nodes.lower_end[lower++] = i > 1 ? node - 1 : end_of_lower_wedge(edge(0), reader);
-      nodes.lower_end[lower] = end_of_lower_wedge(edge(2 * i), reader);
+      if (i > 1)
+        nodes.lower_end[lower++] = node - 1;
+      else
+        reader.lower_halfedge[lower++] = edge(0);
+      reader.lower_halfedge[lower] = edge(2 * i);
       std::size_t wedge = 2 * i - 1, other = 2 * i + 1;
       if (i < number) {
         nodes.upper_end[upper++] = node + 1;
-        add_upper_wedge(upper, edge(wedge), reader);
+        nodes.upper_halfedge[upper] = edge(wedge);
       } else {
         if (m_order(lowest(other), lowest(wedge)))
           std::swap(wedge, other);
-        add_upper_wedge(upper, edge(wedge), reader);
-        add_upper_wedge(upper, edge(other), reader);
+        nodes.upper_halfedge[upper++] = edge(wedge);
+        nodes.upper_halfedge[upper] = edge(other);
       }
     }
   }

@@ -11,12 +11,13 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CUT_MARKS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Edge_numbers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <cstddef>
+#include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -24,60 +25,41 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // The edges that cuts along components of level sets cross, each with the lowest cut: the one that is met
-// first on the way up. A cut is named after its leaf, the node at which ways up end there.
-template <class TriangleMesh>
+// first on the way up. A cut is named after its leaf, the node at which ways up end there; higher cuts have
+// larger names. Several threads may add marks at once.
+template <class TriangleMesh, class HalfedgeIndexMap>
 class Cut_marks
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
-  // Adds the edge `h` that points to its lower end, the vertex with number `lower_end`. Cuts are added in
-  // the order of their levels.
-  void add(std::size_t lower_end, halfedge_descriptor h, std::uint32_t leaf)
+  bool empty() const { return m_leaf.empty(); }
+
+  // To be called before the first mark is added.
+  void begin(const TriangleMesh& tmesh, HalfedgeIndexMap halfedge_index_map)
   {
-    m_marks.push_back({lower_end, h, leaf});
+    m_edge_numbers.emplace(tmesh, halfedge_index_map);
+    m_leaf = std::vector<std::atomic<std::uint32_t>>(m_edge_numbers->bound());
   }
 
-  // To be called between the last `add()` and the first `leaf()`.
-  void sort(std::size_t index_bound)
+  void add(halfedge_descriptor h, std::uint32_t leaf)
   {
-    if (m_marks.empty())
-      return;
-    m_is_marked.assign(index_bound, false);
-    for (const Mark& mark : m_marks)
-      m_is_marked[mark.lower_end] = true;
-    std::stable_sort(m_marks.begin(), m_marks.end(), Less());
+    std::atomic<std::uint32_t>& mark = m_leaf[(*m_edge_numbers)(h)];
+    std::uint32_t known = mark.load(std::memory_order_relaxed);
+    while ((known == 0 || leaf + 1 < known) &&
+           !mark.compare_exchange_weak(known, leaf + 1, std::memory_order_relaxed))
+    {}
   }
-
-  bool empty() const { return m_marks.empty(); }
 
   // The lowest cut that crosses the edge `h`, or `no_node`.
-  std::uint32_t leaf(std::size_t lower_end, halfedge_descriptor h) const
+  std::uint32_t leaf(halfedge_descriptor h) const
   {
-    if (m_is_marked.empty() || !m_is_marked[lower_end])
-      return no_node;
-    const auto range = std::equal_range(
-        m_marks.begin(), m_marks.end(), Mark{lower_end, halfedge_descriptor(), no_node}, Less());
-    const auto mark =
-        std::find_if(range.first, range.second, [&](const Mark& m) { return m.halfedge == h; });
-    return mark == range.second ? no_node : mark->leaf;
+    return empty() ? no_node : m_leaf[(*m_edge_numbers)(h)].load(std::memory_order_relaxed) - 1;
   }
 
 private:
-  struct Mark
-  {
-    std::size_t lower_end;
-    halfedge_descriptor halfedge;
-    std::uint32_t leaf;
-  };
-
-  struct Less
-  {
-    bool operator()(const Mark& a, const Mark& b) const { return a.lower_end < b.lower_end; }
-  };
-
-  std::vector<Mark> m_marks;
-  std::vector<bool> m_is_marked; // by the index of the lower end; empty without marks
+  std::optional<Edge_numbers<TriangleMesh, HalfedgeIndexMap>> m_edge_numbers;
+  std::vector<std::atomic<std::uint32_t>> m_leaf; // plus 1, by edge number; 0 without a mark
 };
 
 } // namespace internal

@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Critical_nodes.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Leaf_pruning.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_cuts.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
@@ -50,12 +49,21 @@ namespace internal {
 //    loops, and every cut becomes a leaf of the graph whose arc is led to the saddle of the cut in the end.
 //
 // Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget bounds.
-template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
+template <class ConcurrencyTag,
+          class TriangleMesh,
+          class VertexOrder,
+          class VertexIndexMap,
+          class HalfedgeIndexMap>
 class Cutting
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Cuts = Loop_cuts<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
+  using Finder = Critical_node_finder<ConcurrencyTag,
+                                      TriangleMesh,
+                                      VertexOrder,
+                                      VertexIndexMap,
+                                      HalfedgeIndexMap>;
+  using Cuts =
+      Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
   using Paths = typename Nodes::Paths;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
@@ -64,12 +72,14 @@ public:
           const VertexOrder& order,
           VertexIndexMap vertex_index_map,
           std::size_t index_bound,
+          HalfedgeIndexMap halfedge_index_map,
           const Vertex_states& states,
           const Reeb_graph_request& request)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
     , m_index_bound(index_bound)
+    , m_halfedge_index_map(halfedge_index_map)
     , m_states(states)
     , m_request(request)
   {}
@@ -87,14 +97,13 @@ public:
     invoke_both<ConcurrencyTag>([&]() { merge_sublevel_sets(sequence, sublevel_forest); },
                                 [&]() { merge_superlevel_sets(sequence, superlevel_forest); });
 
-    Cuts cuts(m_tmesh, m_order, m_vertex_index_map, m_nodes, m_states.has_border(), budget);
-    const std::vector<bool> may_have_loops =
+    Cuts cuts(m_tmesh, m_order, m_halfedge_index_map, m_nodes, m_states.has_border(), budget);
+    const std::vector<std::uint32_t> may_have_loops =
         nodes_that_may_have_loops(sublevel_forest, superlevel_forest, ascents);
     if (!may_have_loops.empty()) {
-      if (!cuts.run([&](std::uint32_t node) { return may_have_loops[node]; }, sublevel_forest))
+      if (!cuts.run(may_have_loops, sublevel_forest))
         return false;
       sequence = std::move(cuts.sequence);
-      cuts.marks.sort(m_index_bound);
       if (!cuts.marks.empty()) {
         finder.follow_ascents(m_nodes, ascents, cuts.marks);
         merge_superlevel_sets(sequence, superlevel_forest);
@@ -173,17 +182,17 @@ private:
   }
 
   // Below which nodes two components of the level set may belong to the same component of the sublevel set,
-  // as far as the forests tell. Empty if there are none.
+  // as far as the forests tell; in increasing order.
   //
   // Let a vertex in the interior have k lower and k upper wedges; around it they take turns, and the level sets
   // below and above it are the same elsewhere. Closed components make at most k + 1 together, below and
   // above. The sublevel and superlevel sets have no more of them: if they have as many, all of them are apart.
   // A component that ends on the border changes nothing as long as there is one at most.
-  std::vector<bool> nodes_that_may_have_loops(const Merge_forest& sublevel_forest,
-                                              const Merge_forest& superlevel_forest,
-                                              Paths& ascents) const
+  std::vector<std::uint32_t> nodes_that_may_have_loops(const Merge_forest& sublevel_forest,
+                                                       const Merge_forest& superlevel_forest,
+                                                       Paths& ascents) const
   {
-    std::vector<bool> result;
+    std::vector<std::uint32_t> result;
     std::vector<std::uint32_t> open_above;
     if (m_states.has_border())
       open_above = number_of_open_components_above(superlevel_forest, ascents);
@@ -199,9 +208,7 @@ private:
           open_above.empty() || open_above[node] == 0 || (open_above[node] == 1 && above == upper);
       if (is_interior && below + above == lower + 1 && has_open_end_at_most)
         continue;
-      if (result.empty())
-        result.resize(m_nodes.size(), false);
-      result[node] = true;
+      result.push_back(node);
     }
     return result;
   }
@@ -211,12 +218,16 @@ private:
   number_of_open_components_above(const Merge_forest& forest, Paths& ascents) const
   {
     std::vector<bool> touches_border(m_nodes.size(), false);
-    const Cut_marks<TriangleMesh> no_marks;
-    std::vector<std::size_t> passed;
+    std::vector<vertex_descriptor> border;
     for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
-      if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))) ||
-          (m_states.has_faceless_edges() && !has_no_edge(v, m_tmesh)))
-        touches_border[m_nodes.number_of_end(ascents.end(v, no_marks, passed))] = true;
+      if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))))
+        border.push_back(v);
+    ascents.follow(
+        0,
+        border.size(),
+        typename Paths::Marks(),
+        [&](std::size_t i) { return border[i]; },
+        [&](std::size_t, std::uint32_t end) { touches_border[m_nodes.number_of_end(end)] = true; });
     std::vector<std::uint32_t> result(m_nodes.size(), 0);
     for (std::uint32_t node = static_cast<std::uint32_t>(m_nodes.size()); node-- > 0;) {
       const std::uint32_t parent = forest.parent(node);
@@ -266,14 +277,19 @@ private:
     m_node_above.resize(m_index_bound, no_node);
     std::vector<std::uint32_t> places(all.size());
     for_each_range<ConcurrencyTag>(all.size(), [&](std::size_t begin, std::size_t end) {
-      const Cut_marks<TriangleMesh> no_marks;
-      std::vector<std::size_t> passed;
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t v = static_cast<std::size_t>(get(m_vertex_index_map, all[i]));
+      const auto index = [&](std::size_t i) {
+        return static_cast<std::size_t>(get(m_vertex_index_map, all[i]));
+      };
+      const auto start = [&](std::size_t i) { return all[i]; };
+      for (std::size_t i = begin; i < end; ++i)
         places[i] = static_cast<std::uint32_t>(place(all[i]));
-        m_node_below[v] = m_nodes.number_of_end(descents.end(all[i], no_marks, passed));
-        m_node_above[v] = m_nodes.number_of_end(ascents.end(all[i], cuts.marks, passed));
-      }
+      descents.follow(
+          begin, end, typename Paths::Marks(), start, [&](std::size_t i, std::uint32_t node) {
+            m_node_below[index(i)] = m_nodes.number_of_end(node);
+          });
+      ascents.follow(begin, end, cuts.marks, start, [&](std::size_t i, std::uint32_t node) {
+        m_node_above[index(i)] = m_nodes.number_of_end(node);
+      });
     });
 
     // in the order of their places, so that the ways along the parents can be shortened for all that follow
@@ -383,6 +399,7 @@ private:
   const VertexOrder& m_order;
   VertexIndexMap m_vertex_index_map;
   const std::size_t m_index_bound;
+  HalfedgeIndexMap m_halfedge_index_map;
   const Vertex_states& m_states;
   const Reeb_graph_request m_request;
   Nodes m_nodes;

@@ -21,25 +21,6 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph
-// upside down, so the code says it once, for a side.
-enum Side { BELOW = 0, ABOVE = 1 };
-
-inline Side opposite_side(Side side)
-{
-  return side == BELOW ? ABOVE : BELOW;
-}
-
-inline bool lies_towards(Side side, std::uint32_t i, std::uint32_t j)
-{
-  return side == BELOW ? i < j : j < i;
-}
-
-inline std::uint32_t end_on(Side side, const Arc_ends& arc)
-{
-  return side == BELOW ? arc.lower : arc.upper;
-}
-
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
 // arcs are cut at the heights of nodes and go into other arcs. It remembers what became of every
 // arc, for the vertices of the mesh to follow. All changes take constant time, also at nodes with

@@ -12,6 +12,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <array>
+
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
@@ -45,14 +47,19 @@ public:
     return m_is_forward ? source(m_halfedge, tmesh) : target(m_halfedge, tmesh);
   }
 
-  // Crosses the next triangle. `is_above` tells on which side of the level a vertex lies.
+  // Crosses the next triangle, and returns its third vertex. `is_above` tells on which side of the level a vertex
+  // lies. There is no branch: which way the walk turns cannot be predicted, and to wait for it would keep other walks
+  // from going on.
   // \pre the walk is not at the border
   template <class IsAbove>
-  void step(const TriangleMesh& tmesh, const IsAbove& is_above)
+  vertex_descriptor step(const TriangleMesh& tmesh, const IsAbove& is_above)
   {
     const halfedge_descriptor n = next(m_halfedge, tmesh);
-    const bool stays_at_lower_vertex = is_above(target(n, tmesh));
-    m_halfedge = opposite(stays_at_lower_vertex == m_is_forward ? next(n, tmesh) : n, tmesh);
+    const vertex_descriptor v = target(n, tmesh);
+    const std::array<halfedge_descriptor, 2> ways = {n, next(n, tmesh)};
+    const bool stays_at_lower_vertex = is_above(v);
+    m_halfedge = opposite(ways[stays_at_lower_vertex == m_is_forward ? 1 : 0], tmesh);
+    return v;
   }
 
 private:

@@ -65,67 +65,8 @@ public:
 
   std::uint32_t number_of_wedges() const { return static_cast<std::uint32_t>(m_wedges.size()); }
 
-  // Walks; `is_above(u)` tells on which side of the level of `v` a vertex lies. Returns false if more than
-  // `budget` steps would be needed, which goes down by the number of steps taken.
-  template <class IsAbove>
-  bool run(vertex_descriptor v, const IsAbove& is_above, std::size_t& budget)
-  {
-    begin_walks();
-    while (m_number_of_unfinished > 1 && !m_turns.empty()) {
-      if (budget < m_turns.size())
-        return false;
-      budget -= m_turns.size();
-      for (std::size_t i = 0; i < m_turns.size() && m_number_of_unfinished > 1;) {
-        if (take_turn(m_turns[i], v, is_above)) {
-          ++i;
-        } else {
-          m_turns[i] = m_turns.back();
-          m_turns.pop_back();
-        }
-      }
-    }
-    return true;
-  }
-
-  // A wedge that stands for all those of its component.
-  std::uint32_t component(std::uint32_t wedge) { return m_sets.root(wedge); }
-
-  // Whether a component is the one that has not been walked to its end.
-  bool is_longest(std::uint32_t component) const { return m_wedges[component].open_ends > 0; }
-
-  // Calls `function` for the crossed edges of a component, but those at the vertex itself.
-  // \pre `!is_longest(component)`
-  template <class IsAbove, class Function>
-  void for_each_edge(std::uint32_t component,
-                     vertex_descriptor v,
-                     const IsAbove& is_above,
-                     const Function& function)
-  {
-    for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
-      if (m_sets.root(i) != component)
-        continue;
-      follow(forward_walk(i), v, is_above, function);
-      if (m_wedges[i].last_leads_to_border)
-        follow(backward_walk(i), v, is_above, function);
-    }
-  }
-
-private:
-  struct Wedge
-  {
-    halfedge_descriptor first, last;
-    // of the component, at its root: the ends whose other side is not known
-    std::uint32_t open_ends = 2;
-    bool first_is_known = false, last_is_known = false, last_leads_to_border = false;
-  };
-
-  struct Turn
-  {
-    Walk walk;
-    std::uint32_t wedge;
-  };
-
-  void begin_walks()
+  // Begins to walk.
+  void begin()
   {
     m_number_of_unfinished = number_of_wedges();
     m_turns.clear();
@@ -143,6 +84,48 @@ private:
       }
     }
   }
+
+  // How many walks there are to take the next step.
+  std::size_t number_of_walks() const { return is_done() ? 0 : m_turns.size(); }
+
+  // Lets every walk take a step; `is_above(u)` tells on which side of the level of `v` a vertex lies. Returns
+  // false if all is known.
+  template <class IsAbove>
+  bool advance(vertex_descriptor v, const IsAbove& is_above)
+  {
+    for (std::size_t i = 0; i < m_turns.size() && !is_done();) {
+      if (take_turn(m_turns[i], v, is_above)) {
+        ++i;
+      } else {
+        m_turns[i] = m_turns.back();
+        m_turns.pop_back();
+      }
+    }
+    return !is_done();
+  }
+
+  // A wedge that stands for all those of its component.
+  std::uint32_t component(std::uint32_t wedge) { return m_sets.root(wedge); }
+
+  // Whether a component is the one that has not been walked to its end.
+  bool is_longest(std::uint32_t component) const { return m_wedges[component].open_ends > 0; }
+
+private:
+  struct Wedge
+  {
+    halfedge_descriptor first, last;
+    // of the component, at its root: the ends whose other side is not known
+    std::uint32_t open_ends = 2;
+    bool first_is_known = false, last_is_known = false;
+  };
+
+  struct Turn
+  {
+    Walk walk;
+    std::uint32_t wedge;
+  };
+
+  bool is_done() const { return m_number_of_unfinished < 2 || m_turns.empty(); }
 
   Walk forward_walk(std::uint32_t i) const
   {
@@ -179,17 +162,11 @@ private:
     if (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known)
       return false;
     if (walk.is_at_border(m_tmesh)) {
-      if (walk.is_forward()) {
-        wedge.first_is_known = true;
-      } else {
-        wedge.last_is_known = true;
-        wedge.last_leads_to_border = true;
-      }
+      (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known) = true;
       close_ends(turn.wedge, 1);
       return false;
     }
-    walk.step(m_tmesh, is_above);
-    if (walk.lower_vertex(m_tmesh) != v)
+    if (walk.step(m_tmesh, is_above) != v)
       return true;
     const std::uint32_t other = wedge_of_arrival(walk);
     (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known) = true;
@@ -216,18 +193,6 @@ private:
     wedge.open_ends -= number;
     if (wedge.open_ends == 0)
       --m_number_of_unfinished;
-  }
-
-  template <class IsAbove, class Function>
-  void
-  follow(Walk walk, vertex_descriptor v, const IsAbove& is_above, const Function& function) const
-  {
-    while (!walk.is_at_border(m_tmesh)) {
-      walk.step(m_tmesh, is_above);
-      if (walk.lower_vertex(m_tmesh) == v)
-        return;
-      function(walk.halfedge());
-    }
   }
 
   static constexpr std::uint32_t LINEAR_SEARCH_BOUND = 8;

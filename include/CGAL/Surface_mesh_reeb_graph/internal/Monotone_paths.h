@@ -12,13 +12,12 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/in_turn.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
-
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +28,9 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // Monotone paths along the edges of the mesh, down to minima or up to maxima and cuts. Their ends are
-// remembered at all vertices that they pass, so all paths together take a step per vertex at most. They
+// remembered at all vertices that they pass, so all paths together take a step per vertex or little more. They
 // may be followed by several threads at once: the end of a path does not depend on who finds it.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
 class Monotone_paths
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -39,6 +38,8 @@ class Monotone_paths
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
+  using Marks = Cut_marks<TriangleMesh, HalfedgeIndexMap>;
+
   Monotone_paths(Side side,
                  const TriangleMesh& tmesh,
                  const VertexOrder& order,
@@ -60,40 +61,59 @@ public:
       end.store(0, std::memory_order_relaxed);
   }
 
-  std::uint32_t known_end(std::size_t vertex_index) const
+  // Follows the paths from the vertices `start(i)` for begin <= i < end and calls `set_end(i, node)` with their
+  // ends. Upward paths end where they cross a cut.
+  template <class Start, class Set_end>
+  void follow(std::size_t begin,
+              std::size_t end,
+              const Marks& marks,
+              const Start& start,
+              const Set_end& set_end)
   {
-    return m_end[vertex_index].load(std::memory_order_relaxed) - 1; // no_node if it is not known
-  }
-
-  // The end of a path that begins at `v`. Upward paths end where they cross a cut. `passed` is memory to be used
-  // again.
-  std::uint32_t
-  end(vertex_descriptor v, const Cut_marks<TriangleMesh>& marks, std::vector<std::size_t>& passed)
-  {
-    std::size_t i = index(v);
-    std::uint32_t result = known_end(i);
-    if (result != no_node)
-      return result;
-    passed.clear();
-    while (result == no_node) {
-      passed.push_back(i);
-      const halfedge_descriptor h = next_edge(v);
-      result = marks.leaf(i, h);
-      if (result == no_node) {
-        v = source(h, m_tmesh);
-        i = index(v);
-        result = known_end(i);
+    std::vector<Path> paths((std::min)(end - begin, number_of_tasks_in_turn));
+    const auto begin_path = [&](Path& path) {
+      for (; begin < end; ++begin) {
+        const vertex_descriptor v = start(begin);
+        const std::uint32_t node = known_end(index(v));
+        if (node == no_node) {
+          path.number = begin++;
+          path.passed.clear();
+          pass(path, v);
+          return true;
+        }
+        set_end(begin, node);
       }
-    }
-    for (const std::size_t j : passed)
-      remember(j, result);
-    return result;
+      return false;
+    };
+    in_turn(paths, begin_path, [&](Path& path) {
+      const std::uint32_t node = advance(path, marks);
+      if (node == no_node)
+        return true;
+      for (const std::size_t i : path.passed)
+        remember(i, node);
+      set_end(path.number, node);
+      return false;
+    });
   }
 
 private:
+  struct Path
+  {
+    std::size_t number;
+    vertex_descriptor vertex;
+    halfedge_descriptor edge; // the next one to be looked at, points to the vertex
+    std::vector<std::size_t> passed;
+  };
+
   std::size_t index(vertex_descriptor v) const
   {
     return static_cast<std::size_t>(get(m_vertex_index_map, v));
+  }
+
+  // `no_node` if it is not known.
+  std::uint32_t known_end(std::size_t i) const
+  {
+    return m_end[i].load(std::memory_order_relaxed) - 1;
   }
 
   void remember(std::size_t i, std::uint32_t node)
@@ -101,17 +121,31 @@ private:
     m_end[i].store(node + 1, std::memory_order_relaxed);
   }
 
-  // Any edge to a vertex on the side will do: all of them lead to the same component of the sublevel (or
-  // superlevel) sets that hold `v` too.
-  halfedge_descriptor next_edge(vertex_descriptor v) const
+  void pass(Path& path, vertex_descriptor v) const
   {
-    for (const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_tmesh)) {
-      const vertex_descriptor u = source(h, m_tmesh);
-      if (m_side == BELOW ? m_order(u, v) : m_order(v, u))
-        return h;
+    path.vertex = v;
+    path.edge = halfedge(v, m_tmesh);
+    path.passed.push_back(index(v));
+  }
+
+  // Looks at one edge. Any one to a vertex on the side will do: all of them lead to the same component of the
+  // sublevel (or superlevel) sets that hold the vertex too. Returns the end of the path if it is known then.
+  std::uint32_t advance(Path& path, const Marks& marks) const
+  {
+    const vertex_descriptor u = source(path.edge, m_tmesh);
+    if (m_side == BELOW ? m_order(u, path.vertex) : m_order(path.vertex, u)) {
+      std::uint32_t node = m_side == BELOW ? no_node : marks.leaf(path.edge);
+      if (node == no_node)
+        node = known_end(index(u));
+      if (node == no_node)
+        pass(path, u);
+      return node;
     }
-    // the passes over the faces have seen one, which is in another fan of faces
-    throw_several_fans();
+    path.edge = opposite(next(path.edge, m_tmesh), m_tmesh);
+    // the pass over the faces has seen an edge on this side, which is in another fan of faces
+    if (path.edge == halfedge(path.vertex, m_tmesh))
+      throw_several_fans();
+    return no_node;
   }
 
   const Side m_side;

@@ -10,8 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SWEEP_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SWEEP_H
 
-#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Edge_numbers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Level_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
@@ -57,12 +57,10 @@ public:
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
-    , m_halfedge_index_map(halfedge_index_map)
+    , m_edge_numbers(tmesh, halfedge_index_map)
     , m_request(request)
     , m_rank(index_bound)
-    , m_are_halfedges_paired(are_halfedges_paired())
-    , m_element(m_are_halfedges_paired ? (halfedge_index_bound() + 1) / 2 : halfedge_index_bound(),
-                Sequences::none)
+    , m_element(m_edge_numbers.bound(), Sequences::none)
   {
     for (std::size_t i = 0; i < order.size(); ++i)
       m_rank[get(vertex_index_map, order[i])] = static_cast<std::uint32_t>(i);
@@ -93,32 +91,6 @@ public:
   }
 
 private:
-  std::size_t halfedge_index(halfedge_descriptor h) const
-  {
-    return static_cast<std::size_t>(get(m_halfedge_index_map, h));
-  }
-
-  std::size_t halfedge_index_bound() const
-  {
-    std::size_t bound = 0;
-    for (halfedge_descriptor h : CGAL::make_range(halfedges(m_tmesh)))
-      bound = (std::max)(bound, halfedge_index(h) + 1);
-    if (bound >= no_arc)
-      throw Reeb_graph_error("the mesh has more than 2^32 - 2 halfedges");
-    return bound;
-  }
-
-  // Whether the halfedges of every edge have the numbers 2 i and 2 i + 1, as they usually do.
-  bool are_halfedges_paired() const
-  {
-    for (auto e : CGAL::make_range(edges(m_tmesh))) {
-      const halfedge_descriptor h = halfedge(e, m_tmesh);
-      if (halfedge_index(h) / 2 != halfedge_index(opposite(h, m_tmesh)) / 2)
-        return false;
-    }
-    return true;
-  }
-
   std::size_t number_of_halfedges() const
   {
     const auto range = halfedges(m_tmesh);
@@ -129,12 +101,7 @@ private:
   std::uint32_t rank_of_source(halfedge_descriptor h) const { return rank(source(h, m_tmesh)); }
 
   // The element that the edge has in the sequence of its component while it is crossed.
-  std::uint32_t& element(halfedge_descriptor h)
-  {
-    const std::size_t i = halfedge_index(h);
-    return m_element[m_are_halfedges_paired ? i / 2
-                                            : (std::min)(i, halfedge_index(opposite(h, m_tmesh)))];
-  }
+  std::uint32_t& element(halfedge_descriptor h) { return m_element[m_edge_numbers(h)]; }
 
   std::uint32_t element_of_lower_edge(halfedge_descriptor h)
   {
@@ -278,11 +245,10 @@ private:
   const TriangleMesh& m_tmesh;
   const std::vector<vertex_descriptor>& m_order;
   VertexIndexMap m_vertex_index_map;
-  HalfedgeIndexMap m_halfedge_index_map;
+  const Edge_numbers<TriangleMesh, HalfedgeIndexMap> m_edge_numbers;
   const Reeb_graph_request m_request;
-  std::vector<std::uint32_t> m_rank; // by vertex index
-  bool m_are_halfedges_paired;
-  std::vector<std::uint32_t> m_element; // of the edges, by the indices of their halfedges
+  std::vector<std::uint32_t> m_rank;    // by vertex index
+  std::vector<std::uint32_t> m_element; // of the edges, by their numbers
   Level_sets m_level_sets;
   Arc_list<TriangleMesh> m_result;
 

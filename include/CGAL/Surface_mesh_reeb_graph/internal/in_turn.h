@@ -1,0 +1,51 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_IN_TURN_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_IN_TURN_H
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Works on tasks of many small steps, each of which waits for the memory: several of them in turn, so that while
+// one waits the others do too. `begin(task)` sets up the next task and returns false if there is none,
+// `advance(task)` takes a step and returns false if the task is done. The tasks are objects that are used
+// again.
+template <class Task, class Begin, class Advance>
+void in_turn(std::vector<Task>& tasks, const Begin& begin, const Advance& advance)
+{
+  std::vector<Task*> active;
+  active.reserve(tasks.size());
+  for (Task& task : tasks)
+    if (begin(task))
+      active.push_back(&task);
+  while (!active.empty()) {
+    for (std::size_t i = 0; i < active.size();) {
+      if (advance(*active[i]) || begin(*active[i])) {
+        ++i;
+      } else {
+        active[i] = active.back();
+        active.pop_back();
+      }
+    }
+  }
+}
+
+// So many accesses to the memory can wait at the same time, more or less.
+constexpr std::size_t number_of_tasks_in_turn = 16;
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_IN_TURN_H
