@@ -58,6 +58,9 @@ public:
     std::reverse(run.begin(), run.end());
   }
 
+  // Says that an element will be needed soon; it may be none.
+  void prefetch_element(std::uint32_t element) const { m_sequences.prefetch_element(element); }
+
   // The arc that a component belongs to, by one of its elements.
   std::uint32_t arc(std::uint32_t element)
   {

@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SEQUENCES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SEQUENCES_H
 
-#include <algorithm>
+#include <CGAL/Surface_mesh_reeb_graph/internal/prefetch.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +36,12 @@ public:
   {
     m_elements.push_back(Element());
     return static_cast<std::uint32_t>(m_elements.size() - 1);
+  }
+
+  void prefetch_element(std::uint32_t x) const
+  {
+    if (x != none)
+      prefetch(&m_elements[x]);
   }
 
   // Makes `x` the root of its sequence.

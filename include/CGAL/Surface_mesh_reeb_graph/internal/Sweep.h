@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Level_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Star_block.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/prefetch.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -80,8 +81,14 @@ public:
         const std::uint32_t level = static_cast<std::uint32_t>(begin + i);
         stars[i].find_wedges(m_tmesh,
                              [&](halfedge_descriptor h) { return level < rank_of_source(h); });
-        process(m_order[begin + i], stars[i]);
+        for (const halfedge_descriptor h : stars[i].halfedges)
+          prefetch(&element(h));
       }
+      for (std::size_t i = 0; i < size; ++i)
+        if (stars[i].wedges.size() > 2)
+          prefetch_elements(stars[i]);
+      for (std::size_t i = 0; i < size; ++i)
+        process(m_order[begin + i], stars[i]);
     }
     if (number_of_star_edges != number_of_halfedges())
       throw_several_fans();
@@ -109,6 +116,16 @@ private:
     if (result == Sequences::none)
       throw_several_fans();
     return result;
+  }
+
+  void prefetch_elements(const Star& star)
+  {
+    for (const auto& wedge : star.wedges) {
+      if (wedge.is_upper)
+        continue;
+      m_level_sets.prefetch_element(element(star.halfedges[wedge.begin]));
+      m_level_sets.prefetch_element(element(star.halfedges[wedge.end - 1]));
+    }
   }
 
   void process(vertex_descriptor v, Star& star)
