@@ -39,6 +39,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -147,13 +148,14 @@ template <Algorithm algorithm>
 void compute_graph(const Input& input, SMRG::Reeb_graph<Mesh>& graph)
 {
   using Choice = SMRG::Reeb_graph_algorithm;
-  constexpr Choice choice = algorithm == AUTOMATIC ? Choice::AUTOMATIC
-                            : algorithm == CUTTING ? Choice::CUTTING
-                                                   : Choice::SWEEP;
-  SMRG::compute_reeb_graph(input.mesh,
-                           CGAL::make_property_map(input.values),
-                           graph,
-                           CGAL::parameters::algorithm(choice));
+  constexpr Choice choice = algorithm == CUTTING ? Choice::CUTTING
+                            : algorithm == SWEEP ? Choice::SWEEP
+                                                 : Choice::AUTOMATIC;
+  using Tag = std::conditional_t<algorithm == PARALLEL, CGAL::Parallel_tag, CGAL::Sequential_tag>;
+  SMRG::compute_reeb_graph<Tag>(input.mesh,
+                                CGAL::make_property_map(input.values),
+                                graph,
+                                CGAL::parameters::algorithm(choice));
 }
 
 Row& row_of(const Input& input)
@@ -269,6 +271,9 @@ void register_benchmarks(const Options& options)
         add(name + algorithm_names[AUTOMATIC], measure<AUTOMATIC>, key);
         add(name + algorithm_names[CUTTING], measure<CUTTING>, key);
         add(name + algorithm_names[SWEEP], measure<SWEEP>, key);
+#ifdef CGAL_LINKED_WITH_TBB
+        add(name + algorithm_names[PARALLEL], measure<PARALLEL>, key);
+#endif
 #ifdef REEB_GRAPH_BENCHMARK_WITH_VTK
         if (triangles <= options.vtk_largest && (function == SMOOTH || options.vtk_with_noise))
           add(name + "vtk", measure_vtk, key);

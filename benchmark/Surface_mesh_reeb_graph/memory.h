@@ -7,7 +7,7 @@
 #ifndef SURFACE_MESH_REEB_GRAPH_BENCHMARK_MEMORY_H
 #define SURFACE_MESH_REEB_GRAPH_BENCHMARK_MEMORY_H
 
-#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
@@ -16,14 +16,15 @@
 
 namespace Reeb_graph_benchmark {
 
-inline std::size_t live_bytes = 0;
-inline std::size_t peak_bytes = 0;
+// Several threads may allocate, but the peak is exact for one only.
+inline std::atomic<std::size_t> live_bytes(0);
+inline std::atomic<std::size_t> peak_bytes(0);
 
 // What was allocated since its construction: at most, and now.
 class Memory_meter
 {
 public:
-  Memory_meter() : m_before(live_bytes) { peak_bytes = live_bytes; }
+  Memory_meter() : m_before(live_bytes) { peak_bytes = live_bytes.load(); }
 
   std::size_t peak() const { return peak_bytes - m_before; }
   std::size_t live() const { return live_bytes - m_before; }
@@ -41,14 +42,17 @@ private:
   void* const block = std::malloc(size);
   if (block == nullptr)
     throw std::bad_alloc();
-  live_bytes += malloc_usable_size(block);
-  peak_bytes = (std::max)(peak_bytes, live_bytes);
+  const std::size_t size_of_block = malloc_usable_size(block);
+  const std::size_t live =
+      live_bytes.fetch_add(size_of_block, std::memory_order_relaxed) + size_of_block;
+  if (peak_bytes.load(std::memory_order_relaxed) < live)
+    peak_bytes.store(live, std::memory_order_relaxed);
   return block;
 }
 
 [[gnu::noinline]] void operator delete(void* block) noexcept
 {
-  Reeb_graph_benchmark::live_bytes -= malloc_usable_size(block);
+  Reeb_graph_benchmark::live_bytes.fetch_sub(malloc_usable_size(block), std::memory_order_relaxed);
   std::free(block);
 }
 

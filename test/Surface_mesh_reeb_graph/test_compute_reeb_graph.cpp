@@ -460,13 +460,7 @@ BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
       const auto halfedge_indices = get(boost::halfedge_index, c.mesh);
       using HIM = std::decay_t<decltype(halfedge_indices)>;
       return SMRG::internal::Cutting<CGAL::Sequential_tag, Mesh, Order, VIM, HIM>(
-                 c.mesh,
-                 order,
-                 indices,
-                 c.mesh.number_of_vertices(),
-                 halfedge_indices,
-                 states,
-                 {})
+                 c.mesh, order, indices, c.mesh.number_of_vertices(), halfedge_indices, states, {})
           .run(budget, result);
     };
     BOOST_TEST(is_done(0) == !is_torus);
