@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/IO/polylines.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/commute_time_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>

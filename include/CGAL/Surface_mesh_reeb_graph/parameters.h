@@ -76,7 +76,7 @@ A chain that has only names of \cgal starts with `CGAL::parameters::` as everywh
 
 | name | documented at |
 |------|---------------|
-| `collect_arc_vertices`, `face_arc_map`, `vertex_arc_map` | `compute_reeb_graph()` |
+| `collect_arc_vertices`, `face_arc_map`, `unfold_multiple_saddles`, `vertex_arc_map` | `compute_reeb_graph()` |
 | `loop_persistence_threshold`, `number_of_leaves`, `persistence_threshold`, `threshold_is_absolute` | `simplify_reeb_graph()` |
 | `number_of_eigenpairs`, `residual_tolerance` | `Laplace_beltrami_eigenbasis` |
 | `small_time`, `large_time`, `minima_as_feature_points` | `feature_points()` |

@@ -33,7 +33,7 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // Computes the Reeb graph by a sweep through the vertices in increasing order (after Cole-McLaughlin,
-// Edelsbrunner, Harer, Natarajan, Pascucci, "Loops in Reeb graphs of 2-manifolds", 2003).
+// Edelsbrunner, Harer, Natarajan, Pascucci, "Loops in Reeb graphs of 2-manifolds", 2004).
 //
 // The components of the level set are sequences of crossed edges, which split and merge in logarithmic time: the
 // sweep takes O(n log n) time whatever the function and the surface. At a regular vertex the upper edges just take over
