@@ -457,10 +457,8 @@ BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
     states.classify<CGAL::Sequential_tag>(c.mesh, indices, [&](Vertex v) { return c.values[v]; });
     const auto is_done = [&](std::size_t budget) {
       Arc_list<Mesh> result;
-      const auto halfedge_indices = get(boost::halfedge_index, c.mesh);
-      using HIM = std::decay_t<decltype(halfedge_indices)>;
-      return SMRG::internal::Cutting<CGAL::Sequential_tag, Mesh, Order, VIM, HIM>(
-                 c.mesh, order, indices, c.mesh.number_of_vertices(), halfedge_indices, states, {})
+      return SMRG::internal::Cutting<CGAL::Sequential_tag, Mesh, Order, VIM>(
+                 c.mesh, order, indices, c.mesh.number_of_vertices(), states, {})
           .run(budget, result);
     };
     BOOST_TEST(is_done(0) == !is_torus);

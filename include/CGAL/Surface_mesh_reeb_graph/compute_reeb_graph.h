@@ -88,16 +88,11 @@ void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
 }
 
 // Computes the Reeb graph as lists.
-template <class ConcurrencyTag,
-          class TriangleMesh,
-          class VertexOrder,
-          class VertexIndexMap,
-          class HalfedgeIndexMap>
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
                                 const VertexOrder& order,
                                 VertexIndexMap vertex_index_map,
                                 std::size_t index_bound,
-                                HalfedgeIndexMap halfedge_index_map,
                                 const Vertex_states& states,
                                 const Reeb_graph_request& request,
                                 Reeb_graph_algorithm algorithm)
@@ -108,12 +103,13 @@ Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
                                    ? (std::numeric_limits<std::size_t>::max)()
                                    : 4 * index_bound;
     Arc_list<TriangleMesh> result;
-    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>(
-            tmesh, order, vertex_index_map, index_bound, halfedge_index_map, states, request)
+    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
+            tmesh, order, vertex_index_map, index_bound, states, request)
             .run(budget, result))
       return result;
   }
-  return Sweep<TriangleMesh, VertexIndexMap, HalfedgeIndexMap>(
+  const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);
+  return Sweep<TriangleMesh, VertexIndexMap, std::decay_t<decltype(halfedge_index_map)>>(
              tmesh,
              sorted_vertices<ConcurrencyTag>(tmesh, order),
              vertex_index_map,
@@ -323,7 +319,6 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
       order,
       vertex_index_map,
       index_bound,
-      CGAL::get_initialized_halfedge_index_map(tmesh),
       states,
       request,
       choose_parameter(get_parameter(np, CGAL::internal_np::algorithm),

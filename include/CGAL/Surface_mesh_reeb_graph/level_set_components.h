@@ -309,8 +309,7 @@ private:
     for (vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
       internal::for_each_neighbor(v, m_tmesh, [&](vertex_descriptor) { --unseen; });
     if (unseen != 0)
-      throw Reeb_graph_error(
-          "the mesh is not a 2-manifold: the faces around a vertex form several fans");
+      internal::throw_several_fans();
   }
 
   // The components that touch `v` of the level set that has `level` vertices below it.

@@ -35,12 +35,12 @@ namespace internal {
 // The vertices that may be critical, as nodes, numbered in their order, and for every wedge of theirs a node in the
 // component of the sublevel (or superlevel) set that it leads to: the end of a monotone path. On demand a
 // multiple saddle is unfolded: it becomes several nodes with the same vertex, which are simple saddles.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
 struct Critical_nodes
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
+  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap>;
   using Star = Vertex_star<TriangleMesh>;
 
   std::size_t size() const { return vertex.size(); }
@@ -78,14 +78,10 @@ struct Critical_nodes
 };
 
 // Finds the critical nodes.
-template <class ConcurrencyTag,
-          class TriangleMesh,
-          class VertexOrder,
-          class VertexIndexMap,
-          class HalfedgeIndexMap>
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Critical_node_finder
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Paths = typename Nodes::Paths;
@@ -217,7 +213,7 @@ private:
       for (std::uint32_t w = static_cast<std::uint32_t>(begin); w < end; ++w) {
         if (halfedges[w] == null_halfedge())
           continue;
-        const std::uint32_t leaf = marks.leaf(halfedges[w]);
+        const std::uint32_t leaf = marks.leaf(index(target(halfedges[w], m_tmesh)), halfedges[w]);
         if (leaf != no_node)
           ends[w] = leaf;
         else

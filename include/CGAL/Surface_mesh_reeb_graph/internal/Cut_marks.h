@@ -11,55 +11,72 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CUT_MARKS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Edge_numbers.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <atomic>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The edges that cuts along components of level sets cross, each with the lowest cut: the one that is met
-// first on the way up. A cut is named after its leaf, the node at which ways up end there; higher cuts have
-// larger names. Several threads may add marks at once.
-template <class TriangleMesh, class HalfedgeIndexMap>
+// The edges that cuts along components of level sets cross. A cut is named after its leaf, the node at which ways
+// up end there; higher cuts have larger names. There are few marks as a rule, compared to the edges.
+template <class TriangleMesh>
 class Cut_marks
 {
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
 public:
-  bool empty() const { return m_leaf.empty(); }
-
-  // To be called before the first mark is added.
-  void begin(const TriangleMesh& tmesh, HalfedgeIndexMap halfedge_index_map)
+  struct Mark
   {
-    m_edge_numbers.emplace(tmesh, halfedge_index_map);
-    m_leaf = std::vector<std::atomic<std::uint32_t>>(m_edge_numbers->bound());
+    std::uint32_t lower_end; // the vertex index
+    std::uint32_t leaf;
+    halfedge_descriptor halfedge; // points to the lower end
+  };
+
+  Cut_marks() = default;
+
+  template <class ConcurrencyTag>
+  Cut_marks(std::vector<Mark>&& marks, std::size_t index_bound, ConcurrencyTag)
+    : m_marks(std::move(marks)), m_is_marked(index_bound, false)
+  {
+    for (const Mark& mark : m_marks)
+      m_is_marked[mark.lower_end] = true;
+    internal::sort<ConcurrencyTag>(m_marks.begin(), m_marks.end(), Less());
   }
 
-  void add(halfedge_descriptor h, std::uint32_t leaf)
+  // The lowest cut that crosses the edge `h`, which points to its lower end: the one that is met first on the way
+  // up. `no_node` if there is none.
+  std::uint32_t leaf(std::size_t lower_end, halfedge_descriptor h) const
   {
-    std::atomic<std::uint32_t>& mark = m_leaf[(*m_edge_numbers)(h)];
-    std::uint32_t known = mark.load(std::memory_order_relaxed);
-    while ((known == 0 || leaf + 1 < known) &&
-           !mark.compare_exchange_weak(known, leaf + 1, std::memory_order_relaxed))
-    {}
-  }
-
-  // The lowest cut that crosses the edge `h`, or `no_node`.
-  std::uint32_t leaf(halfedge_descriptor h) const
-  {
-    return empty() ? no_node : m_leaf[(*m_edge_numbers)(h)].load(std::memory_order_relaxed) - 1;
+    if (m_is_marked.empty() || !m_is_marked[lower_end])
+      return no_node;
+    auto mark = std::lower_bound(
+        m_marks.begin(), m_marks.end(), Mark{static_cast<std::uint32_t>(lower_end), 0, h}, Less());
+    for (; mark != m_marks.end() && mark->lower_end == lower_end; ++mark)
+      if (mark->halfedge == h)
+        return mark->leaf;
+    return no_node;
   }
 
 private:
-  std::optional<Edge_numbers<TriangleMesh, HalfedgeIndexMap>> m_edge_numbers;
-  std::vector<std::atomic<std::uint32_t>> m_leaf; // plus 1, by edge number; 0 without a mark
+  struct Less
+  {
+    // marks of one vertex and one cut may come in any order
+    bool operator()(const Mark& a, const Mark& b) const
+    {
+      return std::tie(a.lower_end, a.leaf) < std::tie(b.lower_end, b.leaf);
+    }
+  };
+
+  std::vector<Mark> m_marks;
+  std::vector<bool> m_is_marked; // by the index of the lower end; empty without marks
 };
 
 } // namespace internal

@@ -49,21 +49,12 @@ namespace internal {
 //    loops, and every cut becomes a leaf of the graph whose arc is led to the saddle of the cut in the end.
 //
 // Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget bounds.
-template <class ConcurrencyTag,
-          class TriangleMesh,
-          class VertexOrder,
-          class VertexIndexMap,
-          class HalfedgeIndexMap>
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Cutting
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
-  using Finder = Critical_node_finder<ConcurrencyTag,
-                                      TriangleMesh,
-                                      VertexOrder,
-                                      VertexIndexMap,
-                                      HalfedgeIndexMap>;
-  using Cuts =
-      Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Paths = typename Nodes::Paths;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
@@ -72,14 +63,12 @@ public:
           const VertexOrder& order,
           VertexIndexMap vertex_index_map,
           std::size_t index_bound,
-          HalfedgeIndexMap halfedge_index_map,
           const Vertex_states& states,
           const Reeb_graph_request& request)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
     , m_index_bound(index_bound)
-    , m_halfedge_index_map(halfedge_index_map)
     , m_states(states)
     , m_request(request)
   {}
@@ -97,14 +86,20 @@ public:
     invoke_both<ConcurrencyTag>([&]() { merge_sublevel_sets(sequence, sublevel_forest); },
                                 [&]() { merge_superlevel_sets(sequence, superlevel_forest); });
 
-    Cuts cuts(m_tmesh, m_order, m_halfedge_index_map, m_nodes, m_states.has_border(), budget);
+    Cuts cuts(m_tmesh,
+              m_order,
+              m_vertex_index_map,
+              m_index_bound,
+              m_nodes,
+              m_states.has_border(),
+              budget);
     const std::vector<std::uint32_t> may_have_loops =
         nodes_that_may_have_loops(sublevel_forest, superlevel_forest, ascents);
     if (!may_have_loops.empty()) {
       if (!cuts.run(may_have_loops, sublevel_forest))
         return false;
       sequence = std::move(cuts.sequence);
-      if (!cuts.marks.empty()) {
+      if (!cuts.saddles.empty()) {
         finder.follow_ascents(m_nodes, ascents, cuts.marks);
         merge_superlevel_sets(sequence, superlevel_forest);
       }
@@ -399,7 +394,6 @@ private:
   const VertexOrder& m_order;
   VertexIndexMap m_vertex_index_map;
   const std::size_t m_index_bound;
-  HalfedgeIndexMap m_halfedge_index_map;
   const Vertex_states& m_states;
   const Reeb_graph_request m_request;
   Nodes m_nodes;

@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -41,29 +42,29 @@ namespace internal {
 // everything else: just below a node every component of the sublevel set keeps one of the components of the level
 // set that lead from it to the node, and is cut along the others. A cut ends the surface below in a leaf, a
 // node that lies between its saddle and all that is lower.
-template <class ConcurrencyTag,
-          class TriangleMesh,
-          class VertexOrder,
-          class VertexIndexMap,
-          class HalfedgeIndexMap>
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Loop_cuts
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap, HalfedgeIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
   using Star = Vertex_star<TriangleMesh>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Walk = Level_set_walk<TriangleMesh>;
+  using Marks = Cut_marks<TriangleMesh>;
+  using Mark = typename Marks::Mark;
 
 public:
   Loop_cuts(const TriangleMesh& tmesh,
             const VertexOrder& order,
-            HalfedgeIndexMap halfedge_index_map,
+            VertexIndexMap vertex_index_map,
+            std::size_t index_bound,
             const Nodes& nodes,
             bool has_border,
             std::size_t budget)
     : m_tmesh(tmesh)
     , m_order(order)
-    , m_halfedge_index_map(halfedge_index_map)
+    , m_vertex_index_map(vertex_index_map)
+    , m_index_bound(index_bound)
     , m_nodes(nodes)
     , m_has_border(has_border)
     , m_budget(static_cast<std::int64_t>(
@@ -102,7 +103,7 @@ public:
   bool is_leaf(std::uint32_t node) const { return node >= m_nodes.size(); }
   std::uint32_t saddle_of_leaf(std::uint32_t leaf) const { return saddles[leaf - m_nodes.size()]; }
 
-  typename Nodes::Paths::Marks marks;
+  Marks marks;
   std::vector<std::uint32_t> sequence; // of all nodes, the leaves included
   std::vector<std::uint32_t> saddles;  // of the leaves, whose numbers follow those of the nodes
 
@@ -276,17 +277,22 @@ private:
 
   // ---- the marks
 
+  Mark mark(halfedge_descriptor h, std::uint32_t leaf) const
+  {
+    return {static_cast<std::uint32_t>(get(m_vertex_index_map, target(h, m_tmesh))), leaf, h};
+  }
+
   void add_wedge_mark(const Star& star, const typename Star::Wedge& wedge, std::uint32_t leaf)
   {
-    for (std::size_t i = wedge.begin; i < wedge.end; ++i)
-      m_wedge_marks.emplace_back(star.halfedges[i], leaf);
+    for (std::size_t i = wedge.begin; i < wedge.end; ++i) {
+      const halfedge_descriptor h = star.halfedges[i];
+      m_marks.push_back(mark(wedge.is_upper ? h : opposite(h, m_tmesh), leaf));
+    }
   }
 
   void mark_cuts()
   {
-    marks.begin(m_tmesh, m_halfedge_index_map);
-    for (const auto& mark : m_wedge_marks)
-      marks.add(mark.first, mark.second);
+    std::mutex mutex;
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
       struct Task
       {
@@ -295,6 +301,7 @@ private:
         std::uint32_t leaf;
       };
       std::vector<Task> tasks((std::min)(end - begin, number_of_tasks_in_turn));
+      std::vector<Mark> found;
       in_turn(
           tasks,
           [&](Task& task) {
@@ -310,10 +317,15 @@ private:
             if (task.walk.is_at_border(m_tmesh))
               return false;
             const vertex_descriptor v = task.walk.step(m_tmesh, is_below(task.vertex));
-            marks.add(task.walk.halfedge(), task.leaf);
+            // in the reversed order of these walks, forward is down
+            const halfedge_descriptor h = task.walk.halfedge();
+            found.push_back(mark(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf));
             return v != task.vertex;
           });
+      const std::lock_guard<std::mutex> lock(mutex);
+      m_marks.insert(m_marks.end(), found.begin(), found.end());
     });
+    marks = Marks(std::move(m_marks), m_index_bound, ConcurrencyTag());
   }
 
   auto is_below(vertex_descriptor v) const
@@ -340,7 +352,8 @@ private:
 
   const TriangleMesh& m_tmesh;
   const VertexOrder& m_order;
-  HalfedgeIndexMap m_halfedge_index_map;
+  VertexIndexMap m_vertex_index_map;
+  const std::size_t m_index_bound;
   const Nodes& m_nodes;
   const bool m_has_border;
   std::int64_t m_budget;
@@ -349,7 +362,7 @@ private:
   Unfolded_saddle<TriangleMesh, VertexOrder> m_unfolded;
   Star m_star;
   std::vector<Cut_walk> m_cut_walks;
-  std::vector<std::pair<halfedge_descriptor, std::uint32_t>> m_wedge_marks;
+  std::vector<Mark> m_marks;
 };
 
 } // namespace internal

@@ -30,7 +30,7 @@ namespace internal {
 // Monotone paths along the edges of the mesh, down to minima or up to maxima and cuts. Their ends are
 // remembered at all vertices that they pass, so all paths together take a step per vertex or little more. They
 // may be followed by several threads at once: the end of a path does not depend on who finds it.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Monotone_paths
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -38,7 +38,7 @@ class Monotone_paths
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  using Marks = Cut_marks<TriangleMesh, HalfedgeIndexMap>;
+  using Marks = Cut_marks<TriangleMesh>;
 
   Monotone_paths(Side side,
                  const TriangleMesh& tmesh,
@@ -134,7 +134,7 @@ private:
   {
     const vertex_descriptor u = source(path.edge, m_tmesh);
     if (m_side == BELOW ? m_order(u, path.vertex) : m_order(path.vertex, u)) {
-      std::uint32_t node = m_side == BELOW ? no_node : marks.leaf(path.edge);
+      std::uint32_t node = m_side == BELOW ? no_node : marks.leaf(path.passed.back(), path.edge);
       if (node == no_node)
         node = known_end(index(u));
       if (node == no_node)
