@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_places.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
@@ -55,6 +56,7 @@ class Cutting
   using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
   using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Places = Vertex_places<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Paths = typename Nodes::Paths;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
@@ -105,8 +107,9 @@ public:
       }
     }
 
+    Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
     if (m_request.has_vertex_arcs)
-      locate_vertices(sequence, cuts, sublevel_forest, superlevel_forest, descents, ascents);
+      places.find(sequence, sublevel_forest, superlevel_forest, descents, ascents);
     m_number_below.resize(m_nodes.size());
     m_number_above.resize(m_nodes.size());
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
@@ -123,7 +126,7 @@ public:
     Leaf_pruning pruning(sublevel_forest, superlevel_forest);
     pruning.run(sequence,
                 [&](std::uint32_t node) { return !cuts.is_leaf(node) && is_regular(node); });
-    write(sequence, cuts, pruning, result);
+    write(sequence, cuts, places, pruning, result);
     return true;
   }
 
@@ -237,110 +240,10 @@ private:
     return static_cast<std::size_t>(get(m_vertex_index_map, m_nodes.vertex[node]));
   }
 
-  // For every vertex the last node below in its component of the sublevel set and the first one above in that
-  // of the superlevel set: from the end of its path along the parents, as far as its place among the nodes.
-  void locate_vertices(const std::vector<std::uint32_t>& sequence,
-                       const Cuts& cuts,
-                       const Merge_forest& sublevel_forest,
-                       const Merge_forest& superlevel_forest,
-                       Paths& descents,
-                       Paths& ascents)
-  {
-    const auto vertex = [&](std::uint32_t node) {
-      return m_nodes.vertex[cuts.is_leaf(node) ? cuts.saddle_of_leaf(node) : node];
-    };
-    std::vector<typename VertexOrder::FT> values;
-    values.reserve(sequence.size());
-    for (const std::uint32_t node : sequence)
-      values.push_back(m_order.value(vertex(node)));
-    // the number of nodes that are not above `v`
-    const auto place = [&](vertex_descriptor v) {
-      const auto range = std::equal_range(values.begin(), values.end(), m_order.value(v));
-      const auto nodes = sequence.begin();
-      return std::partition_point(nodes + (range.first - values.begin()),
-                                  nodes + (range.second - values.begin()),
-                                  [&](std::uint32_t node) { return !m_order(v, vertex(node)); }) -
-             nodes;
-    };
-
-    std::vector<vertex_descriptor> all;
-    all.reserve(num_vertices(m_tmesh));
-    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
-      if (!has_no_edge(v, m_tmesh))
-        all.push_back(v);
-    m_node_below.resize(m_index_bound, no_node);
-    m_node_above.resize(m_index_bound, no_node);
-    std::vector<std::uint32_t> places(all.size());
-    for_each_range<ConcurrencyTag>(all.size(), [&](std::size_t begin, std::size_t end) {
-      const auto index = [&](std::size_t i) {
-        return static_cast<std::size_t>(get(m_vertex_index_map, all[i]));
-      };
-      const auto start = [&](std::size_t i) { return all[i]; };
-      for (std::size_t i = begin; i < end; ++i)
-        places[i] = static_cast<std::uint32_t>(place(all[i]));
-      descents.follow(
-          begin, end, typename Paths::Marks(), start, [&](std::size_t i, std::uint32_t node) {
-            m_node_below[index(i)] = m_nodes.number_of_end(node);
-          });
-      ascents.follow(begin, end, cuts.marks, start, [&](std::size_t i, std::uint32_t node) {
-        m_node_above[index(i)] = m_nodes.number_of_end(node);
-      });
-    });
-
-    // in the order of their places, so that the ways along the parents can be shortened for all that follow
-    std::vector<std::size_t> begin(sequence.size() + 2, 0);
-    for (const std::uint32_t p : places)
-      ++begin[p + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i)
-      begin[i] += begin[i - 1];
-    std::vector<std::uint32_t> by_place(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      by_place[begin[places[i]]++] = static_cast<std::uint32_t>(i);
-    std::vector<std::uint32_t> place_of_node(sequence.size());
-    for (std::size_t i = 0; i < sequence.size(); ++i)
-      place_of_node[sequence[i]] = static_cast<std::uint32_t>(i);
-
-    const auto parents_in = [&](const Merge_forest& forest) {
-      std::vector<std::uint32_t> parents(sequence.size());
-      for (const std::uint32_t node : sequence)
-        parents[node] = forest.parent(node);
-      return parents;
-    };
-    const auto follow =
-        [](std::vector<std::uint32_t>& parents, std::uint32_t node, const auto& is_passed) {
-          for (;;) {
-            const std::uint32_t parent = parents[node];
-            if (parent == no_node || !is_passed(parent))
-              return node;
-            const std::uint32_t next = parents[parent];
-            if (next != no_node && is_passed(next))
-              parents[node] = next;
-            node = parents[node];
-          }
-        };
-    const auto locate_below = [&]() {
-      std::vector<std::uint32_t> parents = parents_in(sublevel_forest);
-      for (const std::uint32_t i : by_place) {
-        std::uint32_t& node =
-            m_node_below[static_cast<std::size_t>(get(m_vertex_index_map, all[i]))];
-        node = follow(parents, node, [&](std::uint32_t n) { return place_of_node[n] < places[i]; });
-      }
-    };
-    const auto locate_above = [&]() {
-      std::vector<std::uint32_t> parents = parents_in(superlevel_forest);
-      for (auto j = by_place.rbegin(); j != by_place.rend(); ++j) {
-        std::uint32_t& node =
-            m_node_above[static_cast<std::size_t>(get(m_vertex_index_map, all[*j]))];
-        node =
-            follow(parents, node, [&](std::uint32_t n) { return place_of_node[n] >= places[*j]; });
-      }
-    };
-    invoke_both<ConcurrencyTag>(locate_below, locate_above);
-  }
-
   // Numbers nodes and arcs.
   void write(const std::vector<std::uint32_t>& sequence,
              const Cuts& cuts,
+             const Places& places,
              Leaf_pruning& pruning,
              Arc_list<TriangleMesh>& result) const
   {
@@ -369,9 +272,9 @@ private:
     if (m_request.has_vertex_arcs) {
       result.arc_of_vertex.assign(m_index_bound, no_arc);
       for (std::size_t i = 0; i < m_index_bound; ++i) {
-        if (m_node_below[i] == no_node)
+        if (places.node_below[i] == no_node)
           continue;
-        const std::uint32_t arc = pruning.arc(m_node_below[i], m_node_above[i]);
+        const std::uint32_t arc = pruning.arc(places.node_below[i], places.node_above[i]);
         if (arc != no_arc) // of the vertices of nodes it does not matter
           result.arc_of_vertex[i] = arc_number[arc];
       }
@@ -398,7 +301,6 @@ private:
   const Reeb_graph_request m_request;
   Nodes m_nodes;
   std::vector<std::uint32_t> m_number_below, m_number_above; // of arcs, by node
-  std::vector<std::uint32_t> m_node_below, m_node_above; // by vertex index, see locate_vertices()
 };
 
 } // namespace internal
