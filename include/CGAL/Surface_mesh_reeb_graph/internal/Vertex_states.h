@@ -127,25 +127,27 @@ private:
                    Part& part,
                    std::vector<std::uint8_t>& states)
   {
-    bool is_strict = true, is_triangulated = true;
+    // numbers in the place of truth values: no branches, which could not be predicted where the function is noisy
+    unsigned is_strict = 1, is_triangulated = 1;
     for (FaceIterator f = begin; f != end; ++f) {
       const auto h0 = halfedge(*f, tmesh), h1 = next(h0, tmesh), h2 = next(h1, tmesh);
       const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = target(h2, tmesh);
       const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
-      // no branches, which could not be predicted where the function is noisy
-      const bool a = k0 < k1, b = k1 < k2, c = k2 < k0;
+      const unsigned a = k0 < k1, b = k1 < k2, c = k2 < k0;
       // values that are not numbers are not distinct either
-      is_strict = is_strict & (a | (k1 < k0)) & (b | (k2 < k1)) & (c | (k0 < k2));
-      is_triangulated = is_triangulated & (next(h2, tmesh) == h0);
+      is_strict &= (a | unsigned(k1 < k0)) & (b | unsigned(k2 < k1)) & (c | unsigned(k0 < k2));
+      is_triangulated &= unsigned(next(h2, tmesh) == h0);
       const std::array<std::size_t, 3> indices = {
           static_cast<std::size_t>(get(vertex_index_map, v0)),
           static_cast<std::size_t>(get(vertex_index_map, v1)),
           static_cast<std::size_t>(get(vertex_index_map, v2))};
-      std::uint8_t& state = states[indices[unsigned(a == b) + 2 * unsigned(b == c && a != b)]];
-      state = static_cast<std::uint8_t>(state + (state != LARGEST_NUMBER));
+      // of the three comparisons two are alike; the middle vertex takes part in both
+      std::uint8_t& state =
+          states[indices[unsigned(a == b) + 2 * (unsigned(b == c) & unsigned(a != b))]];
+      state = static_cast<std::uint8_t>(state + unsigned(state != LARGEST_NUMBER));
     }
-    part.is_strict = is_strict;
-    part.is_triangulated = is_triangulated;
+    part.is_strict = is_strict != 0;
+    part.is_triangulated = is_triangulated != 0;
   }
 
   template <class TriangleMesh, class VertexIndexMap>
