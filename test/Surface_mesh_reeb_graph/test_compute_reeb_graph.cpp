@@ -511,6 +511,31 @@ BOOST_AUTO_TEST_CASE(empty_mesh_gives_an_empty_graph)
     BOOST_TEST(graph[i].type == SMRG::ISOLATED);
 }
 
+// Two vertices that are neighbors of all others, with a great many wedges each: nothing may take the square
+// of that.
+BOOST_AUTO_TEST_CASE(vertices_of_large_degree)
+{
+  for (const bool is_closed : {true, false}) {
+    const std::size_t n = 30000; // to make the mesh takes longer than all the rest
+    Index_mesh mesh;
+    for (std::size_t i = 0; i < n; ++i)
+      mesh.points.push_back({double(i), 0, 0});
+    mesh.points.push_back({0, 1, 0});
+    mesh.points.push_back({0, 0, 1});
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i) {
+      mesh.triangles.push_back({i, (i + 1) % n, n});
+      mesh.triangles.push_back({(i + 1) % n, i, n + 1});
+    }
+    std::mt19937 rng(4);
+    std::vector<double> values = random_values(n + 2, rng);
+    values[n] = 0.5;
+    values[n + 1] = 0.51;
+    Case c(mesh, values);
+    for (const bool unfolds : {false, true})
+      check_algorithms(c, unfolds);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(nan_is_an_error_that_names_the_vertex)
 {
   std::mt19937 rng(5);

@@ -45,18 +45,15 @@ struct Critical_nodes
 
   std::size_t size() const { return vertex.size(); }
 
-  // The first of the nodes that a multiple saddle is unfolded into.
-  std::uint32_t first_of_vertex(std::uint32_t node) const
+  // Whether a node is the first (or the only) one that a vertex is unfolded into.
+  bool is_first_of_vertex(std::uint32_t node) const
   {
-    while (node > 0 && vertex[node - 1] == vertex[node])
-      --node;
-    return node;
+    return node == 0 || vertex[node - 1] != vertex[node];
   }
 
   bool is_unfolded(std::uint32_t node) const
   {
-    return (node > 0 && vertex[node - 1] == vertex[node]) ||
-           (node + 1 < size() && vertex[node + 1] == vertex[node]);
+    return !is_first_of_vertex(node) || (node + 1 < size() && !is_first_of_vertex(node + 1));
   }
 
   // The ends of monotone paths have the numbers that the nodes get in the order of the mesh; the leaves of cuts have
@@ -233,7 +230,7 @@ private:
     Nodes& nodes = reader.nodes;
     Star& star = reader.star;
     if (nodes.is_unfolded(node)) {
-      if (nodes.first_of_vertex(node) == node)
+      if (nodes.is_first_of_vertex(node))
         read_unfolded_wedges(node, reader);
       return;
     }

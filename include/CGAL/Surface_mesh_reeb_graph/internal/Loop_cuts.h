@@ -256,11 +256,13 @@ private:
 
   bool cut_below_simple_saddle(std::uint32_t node, Merge_forest& forest)
   {
-    const std::uint32_t first = m_nodes.first_of_vertex(node);
+    if (m_nodes.vertex[m_first] != m_nodes.vertex[node])
+      for (m_first = node; !m_nodes.is_first_of_vertex(m_first);)
+        --m_first;
     if (!m_unfolded.set_vertex(m_nodes.vertex[node], m_budget))
       return false;
     const std::uint32_t lower = m_nodes.lower_begin[node];
-    if (m_unfolded.is_one_component(node - first + 1, m_budget) ||
+    if (m_unfolded.is_one_component(node - m_first + 1, m_budget) ||
         m_components.root(m_nodes.lower_end[lower]) !=
             m_components.root(m_nodes.lower_end[lower + 1]))
       return m_budget > 0;
@@ -360,6 +362,7 @@ private:
   Number_sets m_components; // of the sublevel set, with the highest node as the root
   std::vector<Walked> m_walked;
   Unfolded_saddle<TriangleMesh, VertexOrder> m_unfolded;
+  std::uint32_t m_first = 0; // of the nodes of its vertex
   Star m_star;
   std::vector<Cut_walk> m_cut_walks;
   std::vector<Mark> m_marks;
