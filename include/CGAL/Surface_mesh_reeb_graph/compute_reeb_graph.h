@@ -260,8 +260,8 @@ and faces are numbered either.
 \cgalNamedParamsEnd
 
 Takes O(*n* log *n*) time for *n* vertices at most, and O(*n* + *t* log *t*) time if *t* of them are critical and there are few
-loops; O(*n* log *n*) with any of the maps that are filled. Beside its output it takes about 10 bytes per vertex and 100 bytes
-per critical vertex while it runs, if the vertices of the mesh have indices.
+loops; O(*n* log *n*) with any of the maps that are filled. At its peak it needs about 10 to 20 bytes per vertex beyond its
+output, 45 for the sweep, if the vertices of the mesh have indices and no map is filled (\ref reeb_graph_performance).
 
 \pre `CGAL::is_triangle_mesh(tmesh)`
 
