@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <limits>
@@ -134,43 +135,63 @@ inline void write_scaling(std::ostream& out, const Results& results)
 // The worst of the rows that a target is about, beside the target.
 inline void write_targets(std::ostream& out, const Results& results)
 {
-  const auto worst = [&results](const auto& is_meant, const auto& measure) {
+  const auto worst = [&results](std::size_t family, const auto& is_meant, const auto& measure) {
     double result = -not_measured;
     for (const auto& [key, row] : results)
-      if (row.results[AUTOMATIC].seconds != not_measured && is_meant(std::get<2>(key), row))
+      if (std::get<0>(key) == family && row.results[AUTOMATIC].seconds != not_measured &&
+          is_meant(std::get<2>(key), row))
         result = (std::max)(result, measure(row));
     return result;
   };
   const auto is_large = [](const Row& row) { return row.vertices >= 1000000; };
-  const auto ratio_to_floor = [&](const Function wanted) {
-    return worst(
-        [&](Function function, const Row& row) { return function == wanted && is_large(row); },
-        [](const Row& row) { return row.ratio_to_floor(AUTOMATIC); });
+  const auto line = [&out](const char* what, const char* target, const auto& measured) {
+    out << "| " << what << " | " << target << " |";
+    for (std::size_t family = 0; family < mesh_families.size(); ++family) {
+      const double number = measured(family);
+      out << ' ' << (std::abs(number) == not_measured ? "-" : in_figures(number, 1)) << " |";
+    }
+    out << '\n';
   };
-  const auto line = [&out](const char* what, const char* target, const double measured) {
-    out << "| " << what << " | " << target << " | "
-        << (measured == -not_measured ? "-" : in_figures(measured, 1)) << " |\n";
+  const auto ratio_to_floor = [&](const Function wanted) {
+    return [&, wanted](std::size_t family) {
+      return worst(
+          family,
+          [&](Function function, const Row& row) { return function == wanted && is_large(row); },
+          [](const Row& row) { return row.ratio_to_floor(AUTOMATIC); });
+    };
   };
 
-  out << "| automatic choice | target | measured, the worst |\n|---|--:|--:|\n";
+  out << "| automatic choice, the worst | target |";
+  for (const Mesh_family& family : mesh_families)
+    out << ' ' << family.name << " |";
+  out << "\n|---|--:|";
+  for (std::size_t family = 0; family < mesh_families.size(); ++family)
+    out << "--:|";
+  out << '\n';
   line("smooth, from 1 million vertices on, x floor", "at most 3", ratio_to_floor(SMOOTH));
   line("fine noise, from 1 million vertices on, x floor", "at most 10", ratio_to_floor(FINE_NOISE));
   line("pure noise, from 1 million vertices on, x floor", "at most 80", ratio_to_floor(PURE_NOISE));
-  line("working bytes per vertex, from 1 million vertices on",
-       "below 100",
-       worst([&](Function, const Row& row) { return is_large(row); },
-             [](const Row& row) {
-               return row.results[AUTOMATIC].working_bytes / double(row.vertices);
-             }));
+  line(
+      "working bytes per vertex, from 1 million vertices on", "below 100", [&](std::size_t family) {
+        return worst(
+            family,
+            [&](Function, const Row& row) { return is_large(row); },
+            [](const Row& row) {
+              return row.results[AUTOMATIC].working_bytes / double(row.vertices);
+            });
+      });
   // the least ratio is the worst one
   line("vtkReebGraph / automatic, smooth, 162 thousand triangles",
        "at least 1000",
-       -worst(
-           [](Function function, const Row& row) {
-             return function == SMOOTH && row.vtk_seconds != not_measured &&
-                    row.triangles > 150000 && row.triangles < 175000;
-           },
-           [](const Row& row) { return -row.vtk_seconds / row.results[AUTOMATIC].seconds; }));
+       [&](std::size_t family) {
+         return -worst(
+             family,
+             [](Function function, const Row& row) {
+               return function == SMOOTH && row.vtk_seconds != not_measured &&
+                      row.triangles > 150000 && row.triangles < 175000;
+             },
+             [](const Row& row) { return -row.vtk_seconds / row.results[AUTOMATIC].seconds; });
+       });
 }
 
 inline void write_tables(std::ostream& out, const Results& results)
