@@ -267,7 +267,8 @@ output, 45 for the sweep, if the vertices of the mesh have indices and no map is
 
 \throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces around a vertex form several closed fans, or
         if the arcs cannot be numbered in the value type of a map; `graph` and the maps are then left
-        as they were
+        as they were. (If there is not enough memory to write the graph, `std::bad_alloc` is thrown and the graph
+        is left empty.)
 
 \sa `simplify_reeb_graph()`
 \sa `commute_time_reeb_graph()`
