@@ -45,7 +45,7 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // Cancels the pairs of persistence zero, which only plateaus produce.
-template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class VertexOrder>
+template <class TriangleMesh, class VertexIndexMap, class VertexOrder>
 void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
                                    const TriangleMesh& tmesh,
                                    VertexIndexMap vertex_index_map,
@@ -325,7 +325,7 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
       choose_parameter(get_parameter(np, CGAL::internal_np::algorithm),
                        Reeb_graph_algorithm::AUTOMATIC));
   if (order.has_plateaus())
-    internal::cancel_zero_persistence_pairs<ConcurrencyTag>(list, tmesh, vertex_index_map, order);
+    internal::cancel_zero_persistence_pairs(list, tmesh, vertex_index_map, order);
 
   if constexpr (has_vertex_arc_map)
     internal::check_arc_number_type(
