@@ -41,12 +41,6 @@ public:
     return face(m_halfedge, tmesh) == Graph_traits::null_face();
   }
 
-  // The lower end of the edge that the walk stands on.
-  vertex_descriptor lower_vertex(const TriangleMesh& tmesh) const
-  {
-    return m_is_forward ? source(m_halfedge, tmesh) : target(m_halfedge, tmesh);
-  }
-
   // Crosses the next triangle, and returns its third vertex. `is_above` tells on which side of the level a vertex
   // lies. There is no branch: which way the walk turns cannot be predicted, and to wait for it would keep other walks
   // from going on.
