@@ -118,8 +118,7 @@ public:
   {
     ascents.forget();
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (nodes.upper_begin[i] == nodes.upper_begin[i + 1])
-        ascents.set_end(nodes.vertex[i], nodes.mesh_number[i]);
+      ascents.set_end(nodes.vertex[i], nodes.mesh_number[i]);
     follow(nodes.upper_halfedge, ascents, marks, nodes.upper_end);
     for (std::size_t w = 0; w < nodes.upper_end.size(); ++w)
       if (nodes.upper_halfedge[w] != null_halfedge())
@@ -180,10 +179,8 @@ private:
           number = star.number_of_simple_saddles();
       }
       const std::uint32_t node = static_cast<std::uint32_t>(nodes.size());
-      if (lower == 0)
-        descents.set_end(v, node);
-      if (upper == 0)
-        ascents.set_end(v, node);
+      descents.set_end(v, node);
+      ascents.set_end(v, node);
       for (std::size_t k = 0; k < number; ++k) {
         nodes.vertex.push_back(v);
         nodes.lower_begin.push_back(nodes.lower_begin.back() +

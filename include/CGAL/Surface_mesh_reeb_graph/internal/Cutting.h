@@ -39,7 +39,7 @@ namespace internal {
 
 // Computes the Reeb graph without sorting the vertices.
 //
-// 1. From every wedge of the critical vertices a monotone path leads to a minimum (maximum). With these, a
+// 1. From every wedge of the critical vertices a monotone path leads to another critical vertex. With these, a
 //    pass over the critical vertices in increasing (decreasing) order tells how the components of the
 //    sublevel (superlevel) sets merge (Chiang, Lenz, Lu, Rote, "Simple and optimal output-sensitive
 //    construction of contour trees using monotone paths", 2005).

@@ -27,9 +27,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Monotone paths along the edges of the mesh, down to minima or up to maxima and cuts. Their ends are
-// remembered at all vertices that they pass, so all paths together take a step per vertex or little more. They
-// may be followed by several threads at once: the end of a path does not depend on who finds it.
+// Monotone paths along the edges of the mesh, down or up to the first vertex that is given as an end, or up to a
+// cut. Their ends are remembered at all vertices that they pass, so all paths together take a step per vertex
+// or little more. They may be followed by several threads at once: the end of a path does not depend on who finds it.
 template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Monotone_paths
 {
@@ -85,15 +85,27 @@ public:
       }
       return false;
     };
-    in_turn(paths, begin_path, [&](Path& path) {
-      const std::uint32_t node = advance(path, marks);
-      if (node == no_node)
-        return true;
-      for (const std::size_t i : path.passed)
-        remember(i, node);
-      set_end(path.number, node);
-      return false;
-    });
+    in_turn(
+        paths,
+        begin_path,
+        [&](Path& path) {
+          const std::uint32_t node = advance(path, marks);
+          if (node == no_node)
+            return true;
+          for (const std::size_t i : path.passed)
+            remember(i, node);
+          set_end(path.number, node);
+          return false;
+        },
+        [&](Path& path) {
+          path.neighbor = source(path.edge, m_tmesh);
+          path.next_edge = opposite(next(path.edge, m_tmesh), m_tmesh);
+        },
+        [&](Path& path) {
+          path.is_neighbor_on_side = m_side == BELOW ? m_order(path.neighbor, path.vertex)
+                                                     : m_order(path.vertex, path.neighbor);
+          path.end_of_neighbor = known_end(index(path.neighbor));
+        });
   }
 
 private:
@@ -102,6 +114,11 @@ private:
     std::size_t number;
     vertex_descriptor vertex;
     halfedge_descriptor edge; // the next one to be looked at, points to the vertex
+    // what is read before the look
+    vertex_descriptor neighbor;
+    halfedge_descriptor next_edge;
+    bool is_neighbor_on_side;
+    std::uint32_t end_of_neighbor;
     std::vector<std::size_t> passed;
   };
 
@@ -132,16 +149,15 @@ private:
   // sublevel (or superlevel) sets that hold the vertex too. Returns the end of the path if it is known then.
   std::uint32_t advance(Path& path, const Marks& marks) const
   {
-    const vertex_descriptor u = source(path.edge, m_tmesh);
-    if (m_side == BELOW ? m_order(u, path.vertex) : m_order(path.vertex, u)) {
+    if (path.is_neighbor_on_side) {
       std::uint32_t node = m_side == BELOW ? no_node : marks.leaf(path.passed.back(), path.edge);
       if (node == no_node)
-        node = known_end(index(u));
+        node = path.end_of_neighbor;
       if (node == no_node)
-        pass(path, u);
+        pass(path, path.neighbor);
       return node;
     }
-    path.edge = opposite(next(path.edge, m_tmesh), m_tmesh);
+    path.edge = path.next_edge;
     // the pass over the faces has seen an edge on this side, which is in another fan of faces
     if (path.edge == halfedge(path.vertex, m_tmesh))
       throw_several_fans();

@@ -21,15 +21,26 @@ namespace internal {
 // one waits the others do too. `begin(task)` sets up the next task and returns false if there is none,
 // `advance(task)` takes a step and returns false if the task is done. The tasks are objects that are used
 // again.
-template <class Task, class Begin, class Advance>
-void in_turn(std::vector<Task>& tasks, const Begin& begin, const Advance& advance)
+//
+// `stages` are what every step begins with. Each is done for all tasks before the next one, so that what a stage reads
+// has arrived when the next one needs it: a stage should read and not branch on what it reads.
+template <class Task, class Begin, class Advance, class... Stages>
+void in_turn(std::vector<Task>& tasks,
+             const Begin& begin,
+             const Advance& advance,
+             const Stages&... stages)
 {
   std::vector<Task*> active;
   active.reserve(tasks.size());
   for (Task& task : tasks)
     if (begin(task))
       active.push_back(&task);
+  [[maybe_unused]] const auto for_each_active = [&active](const auto& stage) {
+    for (Task* task : active)
+      stage(*task);
+  };
   while (!active.empty()) {
+    (for_each_active(stages), ...);
     for (std::size_t i = 0; i < active.size();) {
       if (advance(*active[i]) || begin(*active[i])) {
         ++i;
