@@ -557,18 +557,31 @@ BOOST_AUTO_TEST_CASE(nan_is_an_error_that_names_the_vertex)
 // Debug or Release: an error, not a walk without end.
 BOOST_AUTO_TEST_CASE(other_faces_than_triangles_are_an_error)
 {
-  Case c(Index_mesh(), {});
-  std::vector<Vertex> corners;
-  for (int i = 0; i < 5; ++i)
-    corners.push_back(c.mesh.add_vertex(Mesh::Point(i % 2, i / 2, i)));
-  c.mesh.add_face(corners[0], corners[1], corners[3], corners[2]);
-  c.mesh.add_face(corners[1], corners[0], corners[4]);
-  Graph graph;
-  BOOST_CHECK_EXCEPTION(SMRG::compute_reeb_graph(c.mesh, c.values, graph),
-                        SMRG::Reeb_graph_error,
-                        [](const SMRG::Reeb_graph_error& error) {
-                          return std::string(error.what()).find("triangle") != std::string::npos;
-                        });
+  // with border; closed, a pyramid with one quadrangle; nothing but quadrangles
+  for (const std::vector<std::vector<std::size_t>>& faces :
+       {std::vector<std::vector<std::size_t>>{{0, 1, 3, 2}, {1, 0, 4}},
+        {{0, 1, 3, 2}, {1, 0, 4}, {3, 1, 4}, {2, 3, 4}, {0, 2, 4}},
+        {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {1, 5, 7, 3}, {3, 7, 6, 2}, {2, 6, 4, 0}}})
+  {
+    Case c(Index_mesh(), {});
+    std::vector<Vertex> corners;
+    for (int i = 0; i < 8; ++i) {
+      corners.push_back(c.mesh.add_vertex(Mesh::Point(i % 2, i / 2 % 2, i / 4)));
+      c.values[corners.back()] = i;
+    }
+    for (const std::vector<std::size_t>& face : faces) {
+      std::vector<Vertex> vertices;
+      for (const std::size_t i : face)
+        vertices.push_back(corners[i]);
+      BOOST_TEST_REQUIRE((c.mesh.add_face(vertices) != Mesh::null_face()));
+    }
+    Graph graph;
+    BOOST_CHECK_EXCEPTION(SMRG::compute_reeb_graph(c.mesh, c.values, graph),
+                          SMRG::Reeb_graph_error,
+                          [](const SMRG::Reeb_graph_error& error) {
+                            return std::string(error.what()).find("triangle") != std::string::npos;
+                          });
+  }
 }
 
 // Boost's algorithms must find Boost's functions for the graph, not those of CGAL's meshes.

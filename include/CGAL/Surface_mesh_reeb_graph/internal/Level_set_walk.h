@@ -41,19 +41,34 @@ public:
     return face(m_halfedge, tmesh) == Graph_traits::null_face();
   }
 
-  // Crosses the next triangle, and returns its third vertex. `is_above` tells on which side of the level a vertex
-  // lies. There is no branch: which way the walk turns cannot be predicted, and to wait for it would keep other walks
-  // from going on.
+  // The triangle to be crossed next: its third vertex, and the halfedges by which the walk may leave it.
+  struct Crossing
+  {
+    vertex_descriptor vertex;
+    std::array<halfedge_descriptor, 2> ways;
+  };
+
+  Crossing crossing(const TriangleMesh& tmesh) const
+  {
+    const halfedge_descriptor n = next(m_halfedge, tmesh);
+    return {target(n, tmesh), {n, next(n, tmesh)}};
+  }
+
+  // Crosses it. There is no branch: which way the walk turns cannot be predicted, and to wait for it would keep other
+  // walks from going on.
   // \pre the walk is not at the border
+  void cross(const Crossing& crossing, bool is_vertex_above, const TriangleMesh& tmesh)
+  {
+    m_halfedge = opposite(crossing.ways[is_vertex_above == m_is_forward ? 1 : 0], tmesh);
+  }
+
+  // Both at once; returns the third vertex. `is_above` tells on which side of the level a vertex lies.
   template <class IsAbove>
   vertex_descriptor step(const TriangleMesh& tmesh, const IsAbove& is_above)
   {
-    const halfedge_descriptor n = next(m_halfedge, tmesh);
-    const vertex_descriptor v = target(n, tmesh);
-    const std::array<halfedge_descriptor, 2> ways = {n, next(n, tmesh)};
-    const bool stays_at_lower_vertex = is_above(v);
-    m_halfedge = opposite(ways[stays_at_lower_vertex == m_is_forward ? 1 : 0], tmesh);
-    return v;
+    const Crossing next_crossing = crossing(tmesh);
+    cross(next_crossing, is_above(next_crossing.vertex), tmesh);
+    return next_crossing.vertex;
   }
 
 private:

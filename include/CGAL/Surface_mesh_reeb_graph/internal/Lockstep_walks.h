@@ -71,9 +71,9 @@ public:
     m_number_of_unfinished = number_of_wedges();
     m_turns.clear();
     for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
-      m_turns.push_back({forward_walk(i), i});
+      add_turn(forward_walk(i), i);
       if (m_has_border)
-        m_turns.push_back({backward_walk(i), i});
+        add_turn(backward_walk(i), i);
     }
     m_wedge_of_first.clear();
     m_wedge_of_last.clear();
@@ -88,13 +88,26 @@ public:
   // How many walks there are to take the next step.
   std::size_t number_of_walks() const { return is_done() ? 0 : m_turns.size(); }
 
-  // Lets every walk take a step; `is_above(u)` tells on which side of the level of `v` a vertex lies. Returns
-  // false if all is known.
+  // Reads what the next steps need, in two stages; `is_above(u)` tells on which side of the level a vertex
+  // lies.
+  void read_crossings()
+  {
+    for (Turn& turn : m_turns)
+      turn.crossing = turn.walk.crossing(m_tmesh);
+  }
+
   template <class IsAbove>
-  bool advance(vertex_descriptor v, const IsAbove& is_above)
+  void read_sides(const IsAbove& is_above)
+  {
+    for (Turn& turn : m_turns)
+      turn.is_vertex_above = is_above(turn.crossing.vertex);
+  }
+
+  // Lets every walk around `v` take a step. Returns false if all is known.
+  bool advance(vertex_descriptor v)
   {
     for (std::size_t i = 0; i < m_turns.size() && !is_done();) {
-      if (take_turn(m_turns[i], v, is_above)) {
+      if (take_turn(m_turns[i], v)) {
         ++i;
       } else {
         m_turns[i] = m_turns.back();
@@ -123,7 +136,15 @@ private:
   {
     Walk walk;
     std::uint32_t wedge;
+    // of the next step
+    typename Walk::Crossing crossing;
+    bool is_vertex_above;
   };
+
+  void add_turn(const Walk& walk, std::uint32_t wedge)
+  {
+    m_turns.push_back({walk, wedge, {}, false});
+  }
 
   bool is_done() const { return m_number_of_unfinished < 2 || m_turns.empty(); }
 
@@ -153,8 +174,7 @@ private:
   }
 
   // Returns false when the walk is over.
-  template <class IsAbove>
-  bool take_turn(Turn& turn, vertex_descriptor v, const IsAbove& is_above)
+  bool take_turn(Turn& turn, vertex_descriptor v)
   {
     Walk& walk = turn.walk;
     Wedge& wedge = m_wedges[turn.wedge];
@@ -166,7 +186,8 @@ private:
       close_ends(turn.wedge, 1);
       return false;
     }
-    if (walk.step(m_tmesh, is_above) != v)
+    walk.cross(turn.crossing, turn.is_vertex_above, m_tmesh);
+    if (turn.crossing.vertex != v)
       return true;
     const std::uint32_t other = wedge_of_arrival(walk);
     (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known) = true;

@@ -159,11 +159,13 @@ private:
               is_budget_spent = true;
               return false;
             }
-            if (walking.walks.advance(walking.vertex, is_below(walking.vertex)))
+            if (walking.walks.advance(walking.vertex))
               return true;
             end_walking(walking);
             return false;
-          });
+          },
+          [](Walking& walking) { walking.walks.read_crossings(); },
+          [&](Walking& walking) { walking.walks.read_sides(is_below(walking.vertex)); });
     });
     m_budget = budget;
     return !is_budget_spent;

@@ -57,21 +57,21 @@ public:
       pass(tmesh, begin, end, vertex_index_map, key, part, p > 0 ? part.states : m_states);
     });
 
-    bool is_strict = true, is_triangulated = true;
+    bool is_strict = true, have_three_edges = true;
     for (const Part& part : parts) {
       is_strict = is_strict && part.is_strict;
-      is_triangulated = is_triangulated && part.is_triangulated;
+      have_three_edges = have_three_edges && part.has_three_edges;
       for (std::size_t i = 0; i < part.states.size(); ++i)
         m_states[i] = sum(m_states[i], part.states[i]);
     }
-    if (!is_triangulated)
-      throw Reeb_graph_error("the mesh has a face that is not a triangle");
+    // if no face has less than three edges, the number of all edges tells whether one has more
     const auto all_halfedges = halfedges(tmesh);
-    const std::size_t number_of_border_halfedges =
-        static_cast<std::size_t>(std::distance(all_halfedges.begin(), all_halfedges.end())) -
-        3 * number_of_faces;
-    if (number_of_border_halfedges > 0)
-      mark_border(tmesh, vertex_index_map);
+    std::size_t number_of_inner_halfedges =
+        static_cast<std::size_t>(std::distance(all_halfedges.begin(), all_halfedges.end()));
+    if (number_of_inner_halfedges != 3 * number_of_faces)
+      number_of_inner_halfedges -= mark_border(tmesh, vertex_index_map);
+    if (!have_three_edges || number_of_inner_halfedges != 3 * number_of_faces)
+      throw Reeb_graph_error("the mesh has a face that is not a triangle");
     return is_strict;
   }
 
@@ -108,7 +108,7 @@ private:
   {
     std::vector<std::uint8_t> states;
     bool is_strict = true;
-    bool is_triangulated = true;
+    bool has_three_edges = true; // every face, at least
   };
 
   static std::ptrdiff_t difference(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
@@ -128,15 +128,16 @@ private:
                    std::vector<std::uint8_t>& states)
   {
     // numbers in the place of truth values: no branches, which could not be predicted where the function is noisy
-    unsigned is_strict = 1, is_triangulated = 1;
+    unsigned is_strict = 1, has_three_edges = 1;
     for (FaceIterator f = begin; f != end; ++f) {
-      const auto h0 = halfedge(*f, tmesh), h1 = next(h0, tmesh), h2 = next(h1, tmesh);
-      const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = target(h2, tmesh);
+      // no need to read the third halfedge: the pass takes the time of its accesses to the memory
+      const auto h0 = halfedge(*f, tmesh), h1 = next(h0, tmesh);
+      const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = source(h0, tmesh);
       const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
       const unsigned a = k0 < k1, b = k1 < k2, c = k2 < k0;
       // values that are not numbers are not distinct either
       is_strict &= (a | unsigned(k1 < k0)) & (b | unsigned(k2 < k1)) & (c | unsigned(k0 < k2));
-      is_triangulated &= unsigned(next(h2, tmesh) == h0);
+      has_three_edges &= unsigned(h1 != h0) & unsigned(next(h1, tmesh) != h0);
       const std::array<std::size_t, 3> indices = {
           static_cast<std::size_t>(get(vertex_index_map, v0)),
           static_cast<std::size_t>(get(vertex_index_map, v1)),
@@ -147,22 +148,26 @@ private:
       state = static_cast<std::uint8_t>(state + unsigned(state != LARGEST_NUMBER));
     }
     part.is_strict = is_strict != 0;
-    part.is_triangulated = is_triangulated != 0;
+    part.has_three_edges = has_three_edges != 0;
   }
 
+  // Returns the number of border halfedges.
   template <class TriangleMesh, class VertexIndexMap>
-  void mark_border(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+  std::size_t mark_border(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
   {
-    m_has_border = true;
+    std::size_t number_of_border_halfedges = 0;
     for (const auto h : CGAL::make_range(halfedges(tmesh))) {
       if (!is_border(h, tmesh))
         continue;
+      ++number_of_border_halfedges;
       if (is_border(opposite(h, tmesh), tmesh))
         m_has_faceless_edges = true;
       // one border halfedge points to a vertex in every open fan
       std::uint8_t& state = m_states[get(vertex_index_map, target(h, tmesh))];
       state = static_cast<std::uint8_t>(state | ((state & BORDER) != 0 ? PINCHED : BORDER));
     }
+    m_has_border = number_of_border_halfedges > 0;
+    return number_of_border_halfedges;
   }
 
   std::vector<std::uint8_t> m_states; // by vertex index
