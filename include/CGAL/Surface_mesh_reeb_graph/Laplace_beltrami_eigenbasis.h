@@ -122,6 +122,12 @@ public:
       \cgalParamType{`double`}
       \cgalParamDefault{`1e-8`}
     \cgalParamNEnd
+    \cgalParamNBegin{use_intrinsic_delaunay}
+      \cgalParamDescription{whether the operator is made from the intrinsic Delaunay triangulation of the surface \cgalCite{bobenko_2007} instead of the faces of the mesh}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{The mesh is not changed: edges are flipped in a copy that has lengths but no points, until the angles opposite to an edge inside of the surface have a sum of at most 180 degrees. Then no coefficient of *L* outside of the diagonal is positive, except for edges on a border opposite to an obtuse angle, and *L* does not depend on how flat regions are triangulated. It costs about as much as the assembly of the matrices, and is worth that on meshes with badly shaped faces.}
+    \cgalParamNEnd
     \cgalParamNBegin{vertex_point_map}
       \cgalParamDescription{the points of the vertices}
       \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
@@ -153,6 +159,8 @@ public:
       throw Reeb_graph_error("the number of eigenpairs must be at least 1");
     const double tolerance =
         internal::choose_own_parameter(np, internal::tags::residual_tolerance, 1e-8);
+    const bool use_intrinsic_delaunay =
+        internal::choose_own_parameter(np, internal::tags::use_intrinsic_delaunay, false);
     const auto vertex_point_map =
         choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
@@ -161,7 +169,7 @@ public:
     bool has_area = faces(tmesh).begin() == faces(tmesh).end();
     for (std::size_t c = 0; c < m_components.size(); ++c) {
       try {
-        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance);
+        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance, use_intrinsic_delaunay);
       } catch (const Reeb_graph_error& error) {
         std::ostringstream message;
         message << "component " << c << " (" << m_components[c].vertices.size()
@@ -308,11 +316,12 @@ private:
   void compute_basis(std::size_t c,
                      VertexPointMap vertex_point_map,
                      long long number_of_eigenpairs,
-                     double tolerance)
+                     double tolerance,
+                     bool use_intrinsic_delaunay)
   {
     Basis& basis = m_bases[c];
-    internal::Laplace_beltrami_matrices matrices =
-        internal::laplace_beltrami_matrices(*m_tmesh, vertex_point_map, m_components, c);
+    internal::Laplace_beltrami_matrices matrices = internal::laplace_beltrami_matrices(
+        *m_tmesh, vertex_point_map, m_components, c, use_intrinsic_delaunay);
     const Eigen::Index n = matrices.mass.size();
     if (matrices.area > 0) {
       const Eigen::Index wanted = static_cast<Eigen::Index>(
