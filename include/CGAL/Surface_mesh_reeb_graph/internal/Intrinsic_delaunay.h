@@ -38,34 +38,34 @@ class Intrinsic_delaunay
 {
 public:
   // `glued` as made by `glued_sides()`; both are changed in place by `flip_all()`.
-  Intrinsic_delaunay(Intrinsic_triangulation& triangulation, std::vector<Side>& glued)
+  Intrinsic_delaunay(Intrinsic_triangulation& triangulation, std::vector<Triangle_side>& glued)
     : m_triangulation(triangulation), m_glued(glued)
   {}
 
   // Flips edges until none is left to flip; returns the number of flips.
   std::size_t flip_all()
   {
-    std::vector<Side> waiting;
+    std::vector<Triangle_side> waiting;
     std::vector<bool> is_waiting(m_glued.size(), false);
-    const auto add = [&](Side side) {
-      if (m_glued[side] == no_side || is_waiting[side] || is_waiting[m_glued[side]])
+    const auto add = [&](Triangle_side side) {
+      if (m_glued[side] == no_triangle_side || is_waiting[side] || is_waiting[m_glued[side]])
         return;
       is_waiting[side] = true;
       waiting.push_back(side);
     };
     for (std::size_t side = m_glued.size(); side > 0; --side)
-      add(static_cast<Side>(side - 1));
+      add(static_cast<Triangle_side>(side - 1));
 
     std::size_t number_of_flips = 0;
     while (!waiting.empty()) {
-      const Side side = waiting.back();
+      const Triangle_side side = waiting.back();
       waiting.pop_back();
       is_waiting[side] = false;
-      const Side other = m_glued[side];
+      const Triangle_side other = m_glued[side];
       if (!flip(side))
         continue;
       ++number_of_flips;
-      for (Side s : {side, following(following(side)), other, following(following(other))})
+      for (Triangle_side s : {side, following(following(side)), other, following(following(other))})
         add(s);
     }
     return number_of_flips;
@@ -73,27 +73,30 @@ public:
 
 private:
   // The next side of the same triangle.
-  static Side following(Side side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  static Triangle_side following(Triangle_side side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
-  double& length(Side side) { return m_triangulation.triangles[side / 3].lengths[side % 3]; }
+  double& length(Triangle_side side)
+  {
+    return m_triangulation.triangles[side / 3].lengths[side % 3];
+  }
 
-  Intrinsic_triangle triangle(Side side) const
+  Intrinsic_triangle triangle(Triangle_side side) const
   {
     return Intrinsic_triangle(m_triangulation.triangles[side / 3].lengths);
   }
 
   // Flips the edge of the side, which is not on a border, if it is not Delaunay; returns whether it did.
-  bool flip(Side side)
+  bool flip(Triangle_side side)
   {
-    const Side other = m_glued[side];
+    const Triangle_side other = m_glued[side];
     // A triangle that is glued to itself has equal angles at the edge: it is Delaunay.
     if (side / 3 == other / 3)
       return false;
 
     // In the order of the triangle with `side` the corners are c, a, b, the other's are d, b, a: the
     // edge from a to b is to become one from c to d.
-    const Side side_bc = following(side), side_ca = following(side_bc);
-    const Side side_ad = following(other), side_db = following(side_ad);
+    const Triangle_side side_bc = following(side), side_ca = following(side_bc);
+    const Triangle_side side_ad = following(other), side_db = following(side_ad);
     const double ab = length(side), bc = length(side_bc), ca = length(side_ca);
     const double ad = length(side_ad), db = length(side_db);
     const Intrinsic_triangle abc = triangle(side), bad = triangle(other);
@@ -122,23 +125,25 @@ private:
     length(other) = bc;
     length(side_bc) = cd;
     length(side_ad) = cd;
-    const auto moved = [&](Side s) { return s == side_bc ? other : s == side_ad ? side : s; };
-    const Side beyond_bc = moved(m_glued[side_bc]), beyond_ad = moved(m_glued[side_ad]);
+    const auto moved = [&](Triangle_side s) {
+      return s == side_bc ? other : s == side_ad ? side : s;
+    };
+    const Triangle_side beyond_bc = moved(m_glued[side_bc]), beyond_ad = moved(m_glued[side_ad]);
     glue(side, beyond_ad);
     glue(other, beyond_bc);
     glue(side_bc, side_ad);
     return true;
   }
 
-  void glue(Side side, Side other)
+  void glue(Triangle_side side, Triangle_side other)
   {
     m_glued[side] = other;
-    if (other != no_side)
+    if (other != no_triangle_side)
       m_glued[other] = side;
   }
 
   Intrinsic_triangulation& m_triangulation;
-  std::vector<Side>& m_glued;
+  std::vector<Triangle_side>& m_glued;
 };
 
 } // namespace internal

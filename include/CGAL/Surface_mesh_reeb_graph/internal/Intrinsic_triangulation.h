@@ -109,26 +109,26 @@ Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& tmesh,
 }
 
 // A side of a triangle: side `3 t + i` is the edge opposite to corner i of triangle t.
-using Side = std::uint32_t;
-constexpr Side no_side = (std::numeric_limits<Side>::max)();
+using Triangle_side = std::uint32_t;
+constexpr Triangle_side no_triangle_side = (std::numeric_limits<Triangle_side>::max)();
 
-// For every side of the triangles of a component the one that it is glued to, `no_side` on borders.
+// For every side of the triangles of a component the one that it is glued to, `no_triangle_side` on borders.
 template <class TriangleMesh>
-std::vector<Side> glued_sides(const TriangleMesh& tmesh,
-                              const Mesh_components<TriangleMesh>& components,
-                              std::size_t component_number)
+std::vector<Triangle_side> glued_sides(const TriangleMesh& tmesh,
+                                       const Mesh_components<TriangleMesh>& components,
+                                       std::size_t component_number)
 {
   const auto& component = components[component_number];
   std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges(
       3 * component.faces.size());
   // the sides by the ends of their edges, the smaller one first
-  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, Side>> by_ends;
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, Triangle_side>> by_ends;
   by_ends.reserve(halfedges.size());
-  Side first = 0;
+  Triangle_side first = 0;
   for (auto f : component.faces) {
-    Side i = 1; // in the order of `intrinsic_triangulation()`
+    Triangle_side i = 1; // in the order of `intrinsic_triangulation()`
     for (auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      const Side side = first + i % 3;
+      const Triangle_side side = first + i % 3;
       halfedges[side] = h;
       by_ends.emplace_back(std::minmax({components.position_of(source(h, tmesh)),
                                         components.position_of(target(h, tmesh))}),
@@ -140,11 +140,11 @@ std::vector<Side> glued_sides(const TriangleMesh& tmesh,
   std::sort(by_ends.begin(), by_ends.end());
 
   // Ends may have several edges in common, so the halfedges decide.
-  std::vector<Side> result(halfedges.size(), no_side);
+  std::vector<Triangle_side> result(halfedges.size(), no_triangle_side);
   for (std::size_t i = 0; i < by_ends.size(); ++i) {
-    const Side side = by_ends[i].second;
+    const Triangle_side side = by_ends[i].second;
     for (std::size_t j = i + 1; j < by_ends.size() && by_ends[j].first == by_ends[i].first; ++j) {
-      const Side other = by_ends[j].second;
+      const Triangle_side other = by_ends[j].second;
       if (halfedges[other] == opposite(halfedges[side], tmesh)) {
         result[side] = other;
         result[other] = side;

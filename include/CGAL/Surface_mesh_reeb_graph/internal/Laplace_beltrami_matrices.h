@@ -54,7 +54,7 @@ Laplace_beltrami_matrices laplace_beltrami_matrices(const TriangleMesh& tmesh,
   Intrinsic_triangulation triangulation =
       intrinsic_triangulation(tmesh, vertex_point_map, components, component_number);
   if (use_intrinsic_delaunay && !triangulation.triangles.empty()) {
-    std::vector<Side> glued = glued_sides(tmesh, components, component_number);
+    std::vector<Triangle_side> glued = glued_sides(tmesh, components, component_number);
     Intrinsic_delaunay(triangulation, glued).flip_all();
   }
 
