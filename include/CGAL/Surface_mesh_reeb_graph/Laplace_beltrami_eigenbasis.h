@@ -257,12 +257,18 @@ public:
   /*!
   returns the diffusion distance of `u` and `v` at time `t`: the square root of
   `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
-  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs).
+  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs). It decreases as
+  `exp(-t)`, and is precise until it falls below the smallest number of type `FT`, near `t == 700`.
+
+  \throws Reeb_graph_error if `t` is negative or not a finite number
+
+  \sa `diffusion_distances()`
   */
   FT diffusion_distance(vertex_descriptor u, vertex_descriptor v, FT t) const
   {
+    internal::check_diffusion_time(t);
     return distance(u, v, [t](const Eigen::VectorXd& lambda) {
-      return internal::diffusion_weights(lambda, t);
+      return internal::diffusion_factors(lambda, t);
     });
   }
 
@@ -270,10 +276,12 @@ public:
   returns the commute-time distance of `u` and `v`: the square root of
   `A sum_i lambda_1 / lambda_i (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
   (\cgalCite{el_khoury_2012}, Eq. 9). It has no unit, and takes O(number of eigenpairs).
+
+  \sa `commute_time_distances()`
   */
   FT commute_time_distance(vertex_descriptor u, vertex_descriptor v) const
   {
-    return distance(u, v, internal::commute_time_weights);
+    return distance(u, v, internal::commute_time_factors);
   }
 
   /// @}
@@ -385,18 +393,18 @@ private:
     }
   }
 
-  template <class Weights>
-  FT distance(vertex_descriptor u, vertex_descriptor v, const Weights& weights) const
+  template <class Factors>
+  FT distance(vertex_descriptor u, vertex_descriptor v, const Factors& factors) const
   {
     if (component(u) != component(v))
       return std::numeric_limits<FT>::infinity();
     const Basis& basis = m_bases[component(u)];
     if (basis.eigenvalues.size() == 0)
       return 0;
-    const Eigen::RowVectorXd difference = basis.eigenfunctions.row(m_components.position_of(u)) -
-                                          basis.eigenfunctions.row(m_components.position_of(v));
-    return std::sqrt(basis.area *
-                     difference.cwiseAbs2().dot(weights(basis.eigenvalues).transpose()));
+    const Eigen::VectorXd difference = basis.eigenfunctions.row(m_components.position_of(u)) -
+                                       basis.eigenfunctions.row(m_components.position_of(v));
+    // the squares may be too small for a number where the distance is not
+    return std::sqrt(basis.area) * difference.cwiseProduct(factors(basis.eigenvalues)).stableNorm();
   }
 
   const TriangleMesh* m_tmesh;
