@@ -121,7 +121,8 @@ Components without eigenpairs (isolated vertices) have no feature points; all ot
 \cgalNamedParamsEnd
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs, plus O(n) comparisons for the farthest pair. That pair is
-exact, except on shapes so symmetric that a large part of all pairs is as long as the longest.
+exact, except on large meshes if the shape is so symmetric, or the large time so small, that a large part of all pairs
+is about as long as the longest: then it is a long one.
 
 \return the output iterator
 

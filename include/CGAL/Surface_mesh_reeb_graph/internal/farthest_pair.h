@@ -30,9 +30,9 @@ namespace internal {
 // First the farthest point from a point is taken in turn until the distance grows no more. In the sphere
 // around the middle of that pair, two points farther apart than the pair cannot both lie inside; the pairs
 // that this leaves are compared exactly. At large times one eigenfunction rules, and few are left. On
-// shapes so symmetric that all points are candidates (a sphere) the comparison stops after a number of
-// pairs in proportion to the number of points: the result is then a pair no end of which can be moved to
-// make it longer.
+// shapes so symmetric that all points are candidates (a sphere), or at times so small that many eigenfunctions
+// count, there may be too many: the comparison stops after half a billion numbers, which takes about half a
+// second. The pair found by then need not be the farthest of all.
 //
 // Every step of the first part, of which there are few, and the middle take one pass over the columns
 // whose factors are not negligible.
@@ -73,25 +73,26 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
   });
   const auto number_of_candidates = static_cast<Eigen::Index>(candidates.size());
   Eigen::MatrixXd points(number_of_candidates, dimension);
-  for (Eigen::Index i = 0; i < number_of_candidates; ++i)
-    points.row(i) = row(candidates[static_cast<std::size_t>(i)]);
+  for (Eigen::Index k = 0; k < dimension; ++k)
+    for (Eigen::Index i = 0; i < number_of_candidates; ++i)
+      points(i, k) = columns(candidates[static_cast<std::size_t>(i)], k);
 
+  // Those that are farthest from the middle come first: an end of the pair is likely among them.
   constexpr Eigen::Index block_size = 512;
   Eigen::ArrayXd block(block_size);
-  Eigen::Index budget = 10000000 + 100 * radius.size();
+  Eigen::Index budget = 500000000 / dimension;
   Eigen::Index end = number_of_candidates; // before it are those that may be far enough from i
-  for (Eigen::Index i = 1; i < number_of_candidates && budget > 0; ++i) {
+  for (Eigen::Index i = 0; i < number_of_candidates && budget > 0; ++i) {
     const auto radius_of = [&](Eigen::Index j) {
       return radius[candidates[static_cast<std::size_t>(j)]];
     };
-    while (end > 0 && radius_of(end - 1) + radius_of(i) <= std::sqrt(longest))
+    while (end > i + 1 && radius_of(end - 1) + radius_of(i) <= std::sqrt(longest))
       --end;
-    if (end == 0)
-      break; // nor for any of the points that follow
-    const Eigen::Index number = (std::min)(end, i);
-    budget -= number;
-    for (Eigen::Index begin = 0; begin < number; begin += block_size) {
-      const Eigen::Index size = (std::min)(block_size, number - begin);
+    if (end <= i + 1)
+      break; // nor are there any for the points that follow
+    budget -= end - (i + 1);
+    for (Eigen::Index begin = i + 1; begin < end; begin += block_size) {
+      const Eigen::Index size = (std::min)(block_size, end - begin);
       squared_distances(points, factors, points.row(i), begin, block.head(size));
       Eigen::Index j;
       const double squared_distance = block.head(size).maxCoeff(&j);
