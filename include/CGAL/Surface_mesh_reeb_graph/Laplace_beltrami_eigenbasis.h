@@ -126,7 +126,7 @@ public:
       \cgalParamDescription{whether the operator is made from the intrinsic Delaunay triangulation of the surface \cgalCite{bobenko_2007} instead of the faces of the mesh}
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{The mesh is not changed: edges are flipped in a copy that has lengths but no points, until the angles opposite to an edge inside of the surface have a sum of at most 180 degrees. Then no coefficient of *L* outside of the diagonal is positive, except for edges on a border opposite to an obtuse angle, and *L* does not depend on how flat regions are triangulated. It costs about as much as the assembly of the matrices, and is worth that on meshes with badly shaped faces.}
+      \cgalParamExtra{The mesh is not changed: edges are flipped in a copy that has lengths but no points, until the angles opposite to an edge inside of the surface have a sum of at most 180 degrees. Then no coefficient of *L* outside of the diagonal is positive, except for edges on a border opposite to an obtuse angle, and *L* does not depend on how flat regions are triangulated. It costs less than the assembly of the matrices, and is worth that on meshes with badly shaped faces.}
     \cgalParamNEnd
     \cgalParamNBegin{vertex_point_map}
       \cgalParamDescription{the points of the vertices}
