@@ -30,6 +30,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/persistence.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/spectral_distances.h>
 #include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
 
 #endif // CGAL_SURFACE_MESH_REEB_GRAPH_H

@@ -813,7 +813,7 @@ BOOST_FIXTURE_TEST_CASE(feature_points_are_local_extrema_of_distances_from_the_e
   const SMRG::Laplace_beltrami_eigenbasis<Mesh> basis(shape.mesh);
   const auto ends = SMRG::internal::farthest_pair(
       basis.basis(0).eigenfunctions,
-      SMRG::internal::relative_diffusion_weights(basis.basis(0).eigenvalues, 20));
+      SMRG::internal::relative_diffusion_factors(basis.basis(0).eigenvalues, 20));
   std::map<bool, std::set<vertex_descriptor>> points_found;
   for (const bool minima : {false, true}) {
     const double sign = minima ? -1 : 1;

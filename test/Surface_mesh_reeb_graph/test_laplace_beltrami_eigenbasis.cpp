@@ -1456,30 +1456,30 @@ BOOST_AUTO_TEST_SUITE_END()
 BOOST_AUTO_TEST_SUITE(farthest_pairs)
 
 double squared_distance(const Eigen::MatrixXd& eigenfunctions,
-                        const Eigen::VectorXd& weights,
+                        const Eigen::VectorXd& factors,
                         const std::size_t i,
                         const std::size_t j)
 {
   return (eigenfunctions.row(static_cast<Eigen::Index>(i)) -
           eigenfunctions.row(static_cast<Eigen::Index>(j)))
-      .cwiseAbs2()
-      .dot(weights.transpose());
+      .cwiseProduct(factors.transpose())
+      .squaredNorm();
 }
 
 // Not the pair but its length is compared: several pairs may have the same one.
-void check_farthest_pair(const Eigen::MatrixXd& eigenfunctions, const Eigen::VectorXd& weights)
+void check_farthest_pair(const Eigen::MatrixXd& eigenfunctions, const Eigen::VectorXd& factors)
 {
   const std::size_t n = static_cast<std::size_t>(eigenfunctions.rows());
   double longest = 0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j)
-      longest = (std::max)(longest, squared_distance(eigenfunctions, weights, i, j));
-  const auto pair = SMRG::internal::farthest_pair(eigenfunctions, weights);
+      longest = (std::max)(longest, squared_distance(eigenfunctions, factors, i, j));
+  const auto pair = SMRG::internal::farthest_pair(eigenfunctions, factors);
   BOOST_REQUIRE(pair.first < n);
   BOOST_REQUIRE(pair.second < n);
-  // rounding of weighted sums of squares
+  // rounding of sums of squares
   BOOST_CHECK_CLOSE_FRACTION(
-      squared_distance(eigenfunctions, weights, pair.first, pair.second), longest, 1e-13);
+      squared_distance(eigenfunctions, factors, pair.first, pair.second), longest, 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(farthest_pair_of_random_points_is_that_of_all_pairs)
@@ -1499,13 +1499,13 @@ BOOST_AUTO_TEST_CASE(farthest_pair_of_random_points_is_that_of_all_pairs)
         points.row(p).normalize();
     }
     points(0, 0) += 1; // not all in one point
-    Eigen::VectorXd weights(dimension);
-    double weight = 1;
+    Eigen::VectorXd factors(dimension);
+    double factor = 1;
     for (Eigen::Index k = 0; k < dimension; ++k) {
-      weights[k] = weight;
-      weight *= i % 2 == 0 ? 1 : random_unit(rng);
+      factors[k] = factor;
+      factor *= i % 2 == 0 ? 1 : random_unit(rng);
     }
-    check_farthest_pair(points, weights);
+    check_farthest_pair(points, factors);
   }
 }
 
@@ -1528,7 +1528,7 @@ BOOST_AUTO_TEST_CASE(farthest_pair_of_eigenfunctions_is_that_of_all_pairs)
     const Eigen::MatrixXd psi = shape.eigenfunctions();
     const Eigen::VectorXd lambda = shape.eigenvalues();
     for (const double t : {0., 1., 20., 1e3})
-      check_farthest_pair(psi, SMRG::internal::relative_diffusion_weights(lambda, t));
+      check_farthest_pair(psi, SMRG::internal::relative_diffusion_factors(lambda, t));
   }
 }
 
@@ -1539,23 +1539,22 @@ BOOST_AUTO_TEST_CASE(farthest_pair_of_an_elongated_shape_are_its_ends)
   });
   const Shape shape(mesh);
   const auto [p, q] = SMRG::internal::farthest_pair(
-      shape.eigenfunctions(), SMRG::internal::relative_diffusion_weights(shape.eigenvalues(), 20));
+      shape.eigenfunctions(), SMRG::internal::relative_diffusion_factors(shape.eigenvalues(), 20));
   const double x = mesh.points[p][0], y = mesh.points[q][0];
   // the ends are smooth: within two edges of them
   BOOST_TEST((std::max)(x, y) > 5.7);
   BOOST_TEST((std::min)(x, y) < -4.7);
 }
 
-BOOST_AUTO_TEST_CASE(relative_weights_order_distances_as_the_absolute_ones_do)
+BOOST_AUTO_TEST_CASE(relative_factors_order_distances_as_the_absolute_ones_do)
 {
   const Shape shape(potato(2));
   const Eigen::VectorXd lambda = shape.eigenvalues();
   for (const double t : {0., 1.5, 20.}) {
-    const Eigen::VectorXd relative = SMRG::internal::relative_diffusion_weights(lambda, t);
-    const Eigen::VectorXd absolute = SMRG::internal::diffusion_weights(lambda, t);
+    const Eigen::VectorXd relative = SMRG::internal::relative_diffusion_factors(lambda, t);
+    const Eigen::VectorXd absolute = SMRG::internal::diffusion_factors(lambda, t);
     BOOST_TEST(relative[0] == 1);
-    BOOST_TEST((absolute - std::exp(-2 * t) * relative).cwiseAbs().maxCoeff() <=
-               1e-13 * absolute[0]);
+    BOOST_TEST((absolute - std::exp(-t) * relative).cwiseAbs().maxCoeff() <= 1e-13 * absolute[0]);
   }
 }
 

@@ -122,6 +122,12 @@ public:
       \cgalParamType{`double`}
       \cgalParamDefault{`1e-8`}
     \cgalParamNEnd
+    \cgalParamNBegin{use_intrinsic_delaunay}
+      \cgalParamDescription{whether the operator is made from the intrinsic Delaunay triangulation of the surface \cgalCite{bobenko_2007} instead of the faces of the mesh}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{The mesh is not changed: edges are flipped in a copy that has lengths but no points, until the angles opposite to an edge inside of the surface have a sum of at most 180 degrees. Then no coefficient of *L* outside of the diagonal is positive, except for edges on a border opposite to an obtuse angle, and *L* does not depend on how flat regions are triangulated. It costs less than the assembly of the matrices, and is worth that on meshes with badly shaped faces.}
+    \cgalParamNEnd
     \cgalParamNBegin{vertex_point_map}
       \cgalParamDescription{the points of the vertices}
       \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
@@ -153,6 +159,8 @@ public:
       throw Reeb_graph_error("the number of eigenpairs must be at least 1");
     const double tolerance =
         internal::choose_own_parameter(np, internal::tags::residual_tolerance, 1e-8);
+    const bool use_intrinsic_delaunay =
+        internal::choose_own_parameter(np, internal::tags::use_intrinsic_delaunay, false);
     const auto vertex_point_map =
         choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
@@ -161,7 +169,7 @@ public:
     bool has_area = faces(tmesh).begin() == faces(tmesh).end();
     for (std::size_t c = 0; c < m_components.size(); ++c) {
       try {
-        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance);
+        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance, use_intrinsic_delaunay);
       } catch (const Reeb_graph_error& error) {
         std::ostringstream message;
         message << "component " << c << " (" << m_components[c].vertices.size()
@@ -249,12 +257,18 @@ public:
   /*!
   returns the diffusion distance of `u` and `v` at time `t`: the square root of
   `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
-  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs).
+  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs). It decreases as
+  `exp(-t)`, and is precise until it falls below the smallest number of type `FT`, near `t == 700`.
+
+  \throws Reeb_graph_error if `t` is negative or not a finite number
+
+  \sa `diffusion_distances()`
   */
   FT diffusion_distance(vertex_descriptor u, vertex_descriptor v, FT t) const
   {
+    internal::check_diffusion_time(t);
     return distance(u, v, [t](const Eigen::VectorXd& lambda) {
-      return internal::diffusion_weights(lambda, t);
+      return internal::diffusion_factors(lambda, t);
     });
   }
 
@@ -262,10 +276,12 @@ public:
   returns the commute-time distance of `u` and `v`: the square root of
   `A sum_i lambda_1 / lambda_i (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
   (\cgalCite{el_khoury_2012}, Eq. 9). It has no unit, and takes O(number of eigenpairs).
+
+  \sa `commute_time_distances()`
   */
   FT commute_time_distance(vertex_descriptor u, vertex_descriptor v) const
   {
-    return distance(u, v, internal::commute_time_weights);
+    return distance(u, v, internal::commute_time_factors);
   }
 
   /// @}
@@ -308,11 +324,12 @@ private:
   void compute_basis(std::size_t c,
                      VertexPointMap vertex_point_map,
                      long long number_of_eigenpairs,
-                     double tolerance)
+                     double tolerance,
+                     bool use_intrinsic_delaunay)
   {
     Basis& basis = m_bases[c];
-    internal::Laplace_beltrami_matrices matrices =
-        internal::laplace_beltrami_matrices(*m_tmesh, vertex_point_map, m_components, c);
+    internal::Laplace_beltrami_matrices matrices = internal::laplace_beltrami_matrices(
+        *m_tmesh, vertex_point_map, m_components, c, use_intrinsic_delaunay);
     const Eigen::Index n = matrices.mass.size();
     if (matrices.area > 0) {
       const Eigen::Index wanted = static_cast<Eigen::Index>(
@@ -376,18 +393,18 @@ private:
     }
   }
 
-  template <class Weights>
-  FT distance(vertex_descriptor u, vertex_descriptor v, const Weights& weights) const
+  template <class Factors>
+  FT distance(vertex_descriptor u, vertex_descriptor v, const Factors& factors) const
   {
     if (component(u) != component(v))
       return std::numeric_limits<FT>::infinity();
     const Basis& basis = m_bases[component(u)];
     if (basis.eigenvalues.size() == 0)
       return 0;
-    const Eigen::RowVectorXd difference = basis.eigenfunctions.row(m_components.position_of(u)) -
-                                          basis.eigenfunctions.row(m_components.position_of(v));
-    return std::sqrt(basis.area *
-                     difference.cwiseAbs2().dot(weights(basis.eigenvalues).transpose()));
+    const Eigen::VectorXd difference = basis.eigenfunctions.row(m_components.position_of(u)) -
+                                       basis.eigenfunctions.row(m_components.position_of(v));
+    // the squares may be too small for a number where the distance is not
+    return std::sqrt(basis.area) * difference.cwiseProduct(factors(basis.eigenvalues)).stableNorm();
   }
 
   const TriangleMesh* m_tmesh;

@@ -62,10 +62,10 @@ limbs the graph has a minimum in the center and a maximum at the tip of every li
     \cgalParamType{a class model of `ReadWritePropertyMap`, Boolean}
     \cgalParamDefault{no map, `false`}
   \cgalParamNEnd
-  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance}
+  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_delaunay}
     \cgalParamDescription{as in `Laplace_beltrami_eigenbasis`}
-    \cgalParamType{an integer, `double`}
-    \cgalParamDefault{`50`, `1e-8`}
+    \cgalParamType{an integer, `double`, Boolean}
+    \cgalParamDefault{`50`, `1e-8`, `false`}
   \cgalParamNEnd
   \cgalParamNBegin{small_time, large_time, minima_as_feature_points}
     \cgalParamDescription{as in `feature_points()`}

@@ -11,7 +11,6 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_FEATURE_POINTS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
-#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/farthest_pair.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
@@ -20,7 +19,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -123,7 +121,8 @@ Components without eigenpairs (isolated vertices) have no feature points; all ot
 \cgalNamedParamsEnd
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs, plus O(n) comparisons for the farthest pair. That pair is
-exact, except on shapes so symmetric that a large part of all pairs is as long as the longest.
+exact, except on large meshes if the shape is so symmetric, or the large time so small, that a large part of all pairs
+is about as long as the longest: then it is a long one.
 
 \return the output iterator
 
@@ -141,21 +140,20 @@ OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, So
   const double large_time = internal::choose_own_parameter(np, internal::tags::large_time, 20.);
   const bool takes_minima =
       internal::choose_own_parameter(np, internal::tags::minima_as_feature_points, false);
-  for (double time : {small_time, large_time})
-    if (!(time >= 0) || !std::isfinite(time))
-      throw Reeb_graph_error("a diffusion time is negative or not a finite number");
+  internal::check_diffusion_time(small_time);
+  internal::check_diffusion_time(large_time);
 
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     if (basis.number_of_eigenpairs(c) == 0)
       continue;
     const auto& b = basis.basis(c);
     const std::pair<std::size_t, std::size_t> farthest = internal::farthest_pair(
-        b.eigenfunctions, internal::relative_diffusion_weights(b.eigenvalues, large_time));
-    const Eigen::VectorXd weights = internal::relative_diffusion_weights(b.eigenvalues, small_time);
+        b.eigenfunctions, internal::relative_diffusion_factors(b.eigenvalues, large_time));
+    const Eigen::VectorXd factors = internal::relative_diffusion_factors(b.eigenvalues, small_time);
     std::vector<std::pair<double, std::size_t>> candidates;
     for (std::size_t origin : {farthest.first, farthest.second}) {
       Eigen::VectorXd distances =
-          internal::largest_squared_distances(b.eigenfunctions, weights, {origin});
+          internal::largest_squared_distances(b.eigenfunctions, factors, {origin});
       if (takes_minima)
         distances = -distances;
       internal::add_local_maxima(basis, c, distances, candidates);

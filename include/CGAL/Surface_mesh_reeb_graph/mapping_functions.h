@@ -158,11 +158,9 @@ void commute_time_function(const Laplace_beltrami_eigenbasis<TriangleMesh, Solve
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     const auto& b = basis.basis(c);
     const auto& component_vertices = basis.component_vertices(c);
-    Eigen::VectorXd squared = Eigen::VectorXd::Zero(b.mass.size());
-    if (b.eigenvalues.size() > 0)
-      squared =
-          b.area * internal::largest_squared_distances(
-                       b.eigenfunctions, internal::commute_time_weights(b.eigenvalues), sources[c]);
+    const Eigen::VectorXd squared =
+        b.area * internal::largest_squared_distances(
+                     b.eigenfunctions, internal::commute_time_factors(b.eigenvalues), sources[c]);
     for (std::size_t i = 0; i < component_vertices.size(); ++i)
       put(values, component_vertices[i], std::sqrt(squared[static_cast<Eigen::Index>(i)]));
   }

@@ -10,23 +10,15 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LAPLACE_BELTRAMI_MATRICES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LAPLACE_BELTRAMI_MATRICES_H
 
-#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_delaunay.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_triangle.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Mesh_components.h>
-
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 #include <Eigen/Sparse>
 
-#include <boost/graph/graph_traits.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -36,10 +28,9 @@ namespace internal {
 // The Laplace-Beltrami operator of one connected component with n vertices, discretized with linear
 // elements on the lengths of the edges.
 //
-// Lengths are measured in the mean edge length of the component, so nothing depends on its size.
-// They are mollified: all are increased by the least amount that makes every triangle inequality hold
-// with a margin of 1e-5 mean lengths (Sharp and Crane, "A Laplacian for nonmanifold triangle meshes",
-// 2020, Section 4.5). Nothing changes on good meshes; degenerate faces do no harm.
+// The triangles are those of the mesh with mollified lengths (see `Intrinsic_triangulation`) or, optionally, those
+// of the intrinsic Delaunay triangulation of the same surface (see `Intrinsic_delaunay`), for which no coefficient
+// outside of the diagonal is positive but those of edges on a border opposite to an obtuse angle.
 //
 // Nothing is imposed on borders: this is the Neumann condition.
 struct Laplace_beltrami_matrices
@@ -57,77 +48,37 @@ template <class TriangleMesh, class VertexPointMap>
 Laplace_beltrami_matrices laplace_beltrami_matrices(const TriangleMesh& tmesh,
                                                     VertexPointMap vertex_point_map,
                                                     const Mesh_components<TriangleMesh>& components,
-                                                    std::size_t component_number)
+                                                    std::size_t component_number,
+                                                    bool use_intrinsic_delaunay = false)
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  const auto& component = components[component_number];
-
-  struct Triangle
-  {
-    std::array<std::uint32_t, 3> corners;
-    std::array<double, 3> lengths; // of the edges opposite to the corners
-  };
-
-  auto distance = [&](vertex_descriptor u, vertex_descriptor v) {
-    const auto& p = get(vertex_point_map, u);
-    const auto& q = get(vertex_point_map, v);
-    return std::hypot(CGAL::to_double(p.x()) - CGAL::to_double(q.x()),
-                      CGAL::to_double(p.y()) - CGAL::to_double(q.y()),
-                      CGAL::to_double(p.z()) - CGAL::to_double(q.z()));
-  };
-
-  std::vector<Triangle> triangles;
-  triangles.reserve(component.faces.size());
-  double sum_of_lengths = 0;
-  for (auto f : component.faces) {
-    Triangle triangle;
-    int i = 0;
-    // the halfedge that starts at corner i + 1 is opposite to corner i
-    for (auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      triangle.corners[(i + 2) % 3] = components.position_of(source(h, tmesh));
-      triangle.lengths[(i + 1) % 3] = distance(source(h, tmesh), target(h, tmesh));
-      sum_of_lengths += triangle.lengths[(i + 1) % 3];
-      ++i;
-    }
-    triangles.push_back(triangle);
+  Intrinsic_triangulation triangulation =
+      intrinsic_triangulation(tmesh, vertex_point_map, components, component_number);
+  if (use_intrinsic_delaunay && !triangulation.triangles.empty()) {
+    std::vector<Triangle_side> glued = glued_sides(tmesh, components, component_number);
+    Intrinsic_delaunay(triangulation, glued).flip_all();
   }
 
   Laplace_beltrami_matrices result;
-  const Eigen::Index n = static_cast<Eigen::Index>(component.vertices.size());
+  const Eigen::Index n = static_cast<Eigen::Index>(components[component_number].vertices.size());
+  result.unit = triangulation.unit;
   result.stiffness.resize(n, n);
   result.mass = Eigen::VectorXd::Zero(n);
-  if (!std::isfinite(sum_of_lengths))
-    throw Reeb_graph_error("its coordinates are too large: the edges have no finite length");
-  if (sum_of_lengths == 0)
-    return result;
-  result.unit = sum_of_lengths / (3. * static_cast<double>(triangles.size()));
-
-  constexpr double margin = 1e-5;
-  double excess = 0;
-  for (Triangle& triangle : triangles) {
-    for (double& length : triangle.lengths)
-      length /= result.unit;
-    const std::array<double, 3>& l = triangle.lengths;
-    for (int i = 0; i < 3; ++i)
-      excess = (std::max)(excess, margin + l[i] - l[(i + 1) % 3] - l[(i + 2) % 3]);
-  }
-
   std::vector<Eigen::Triplet<double>> triplets;
-  triplets.reserve(12 * triangles.size());
-  for (Triangle& triangle : triangles) {
-    for (double& length : triangle.lengths)
-      length += excess;
+  triplets.reserve(12 * triangulation.triangles.size());
+  for (const Intrinsic_triangulation::Triangle& triangle : triangulation.triangles) {
     const Intrinsic_triangle t(triangle.lengths);
     result.area += t.area();
     for (int i = 0; i < 3; ++i) {
+      result.mass[triangle.corners[i]] += t.mixed_voronoi_area(i);
       const int u = static_cast<int>(triangle.corners[(i + 1) % 3]);
       const int v = static_cast<int>(triangle.corners[(i + 2) % 3]);
+      if (u == v)
+        continue; // functions do not differ between the ends of such an edge
       const double weight = t.cotangent(i) / 2;
       triplets.emplace_back(u, v, -weight);
       triplets.emplace_back(v, u, -weight);
       triplets.emplace_back(u, u, weight);
       triplets.emplace_back(v, v, weight);
-      result.mass[triangle.corners[i]] += t.mixed_voronoi_area(i);
     }
   }
   result.stiffness.setFromTriplets(triplets.begin(), triplets.end());

@@ -14,6 +14,7 @@
 // output_iterator, number_of_samples) is not repeated here.
 CGAL_add_named_parameter(number_of_eigenpairs_t, number_of_eigenpairs, number_of_eigenpairs)
 CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
+CGAL_add_named_parameter(use_intrinsic_delaunay_t, use_intrinsic_delaunay, use_intrinsic_delaunay)
 CGAL_add_named_parameter(small_time_t, small_time, small_time)
 CGAL_add_named_parameter(large_time_t, large_time, large_time)
 CGAL_add_named_parameter(minima_as_feature_points_t,
