@@ -13,6 +13,9 @@
 /// \file surface_mesh_reeb_graph.h
 /// Includes all headers of the package.
 
+#include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_reeb_graph/IO/VTP.h>
 #include <CGAL/Surface_mesh_reeb_graph/IO/graph_formats.h>
 #include <CGAL/Surface_mesh_reeb_graph/IO/persistence_diagram.h>
@@ -21,6 +24,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_interrupted.h>
 #include <CGAL/Surface_mesh_reeb_graph/commute_time_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>

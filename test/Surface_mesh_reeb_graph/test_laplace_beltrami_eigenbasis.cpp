@@ -10,8 +10,13 @@
 #include "Index_mesh.h"
 #include "random_meshes.h"
 
+#include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_interrupted.h>
+#include <CGAL/Surface_mesh_reeb_graph/Spectra_eigensolver.h>
 #include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_triangle.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Laplace_beltrami_matrices.h>
@@ -40,6 +45,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,10 +63,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 const double pi = std::acos(-1.);
 
 // A mesh, its vertices in the order of the points that it was made from, and its basis.
-template <class Solver_traits>
+template <class Eigensolver>
 struct Shape_with_solver
 {
-  using Basis = SMRG::Laplace_beltrami_eigenbasis<Mesh, Solver_traits>;
+  using Basis = SMRG::Laplace_beltrami_eigenbasis<Mesh, Eigensolver>;
 
   template <class NamedParameters>
   Shape_with_solver(const Index_mesh& input, const NamedParameters& np)
@@ -114,7 +120,7 @@ private:
     return mesh;
   }
 };
-using Shape = Shape_with_solver<SMRG::internal::Default_solver_traits>;
+using Shape = Shape_with_solver<SMRG::Block_lanczos_eigensolver<>>;
 
 // -------------------------------------------------------------------------------------------------
 // Shapes
@@ -1403,25 +1409,75 @@ using Cholesky_traits = CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen_mat
 using Lu_traits =
     CGAL::Eigen_solver_traits<Eigen::SparseLU<Eigen_matrix, Eigen::COLAMDOrdering<int>>>;
 
-// Counts what is done with it, and fails on demand.
-template <bool FACTORS, bool SOLVES>
-struct Failing_traits : Cholesky_traits
+// A minimal model of `SparseLinearAlgebraWithFactorTraits_d`, with one right-hand side at a time; it fails on
+// demand.
+template <bool FACTORS = true, bool SOLVES = true>
+class Minimal_traits
 {
-  bool factor(const Matrix& matrix, double& determinant)
+public:
+  using NT = double;
+  using Matrix = Cholesky_traits::Matrix;
+  using Vector = Cholesky_traits::Vector;
+
+  bool factor(const Matrix& matrix, NT& determinant)
   {
-    return Cholesky_traits::factor(matrix, determinant) && FACTORS;
+    return m_traits.factor(matrix, determinant) && FACTORS;
   }
   bool linear_solver(const Vector& right_hand_side, Vector& solution)
   {
-    return Cholesky_traits::linear_solver(right_hand_side, solution) && SOLVES;
+    return m_traits.linear_solver(right_hand_side, solution) && SOLVES;
   }
+
+private:
+  Cholesky_traits m_traits;
 };
 
-template <class Traits>
+// A solver with Eigen's interface that solves in place, too, and fails on demand.
+template <bool IN_PLACE, bool SOLVES>
+class Block_solver : public Eigen::SimplicialLLT<Eigen_matrix>
+{
+  using Base = Eigen::SimplicialLLT<Eigen_matrix>;
+
+public:
+  template <class Matrix, bool ENABLED = IN_PLACE, class = std::enable_if_t<ENABLED>>
+  void solve_in_place(Matrix& x)
+  {
+    static_assert(Matrix::IsRowMajor && Matrix::ColsAtCompileTime == 8);
+    x = Base::solve(Eigen::MatrixXd(x)).eval();
+    ++number_of_solves();
+  }
+  Eigen::ComputationInfo info() const
+  {
+    return m_is_factored && !SOLVES ? Eigen::NumericalIssue : Base::info();
+  }
+  template <class Matrix>
+  Block_solver& compute(const Matrix& matrix)
+  {
+    Base::compute(matrix);
+    return *this;
+  }
+  template <class Right_hand_side>
+  auto solve(const Right_hand_side& b)
+  {
+    m_is_factored = true;
+    return Base::solve(b);
+  }
+
+  static int& number_of_solves()
+  {
+    static int number = 0;
+    return number;
+  }
+
+private:
+  bool m_is_factored = false;
+};
+
+template <class Eigensolver>
 void check_same_basis(const Index_mesh& mesh)
 {
   const Shape expected(mesh);
-  const Shape_with_solver<Traits> shape(mesh);
+  const Shape_with_solver<Eigensolver> shape(mesh);
   BOOST_TEST(largest_relative_difference(shape.eigenvalues(), expected.eigenvalues()) <=
              eigenvalue_tolerance);
   BOOST_TEST(difference_of_distances(expected, shape, identity(mesh.points.size())) <=
@@ -1431,22 +1487,39 @@ void check_same_basis(const Index_mesh& mesh)
 
 BOOST_AUTO_TEST_CASE(direct_solvers_give_the_same_basis)
 {
+  using In_place = Block_solver<true, true>;
   for (const Index_mesh& mesh : {potato(3), sphere(2), grid(12, 9), tetrahedron()}) {
-    check_same_basis<Cholesky_traits>(mesh);
-    check_same_basis<Lu_traits>(mesh);
+    check_same_basis<SMRG::Block_lanczos_eigensolver<Cholesky_traits>>(mesh);
+    check_same_basis<SMRG::Block_lanczos_eigensolver<Lu_traits>>(mesh);
+    check_same_basis<SMRG::Block_lanczos_eigensolver<Minimal_traits<>>>(mesh);
+    In_place::number_of_solves() = 0;
+    check_same_basis<SMRG::Block_lanczos_eigensolver<CGAL::Eigen_solver_traits<In_place>>>(mesh);
+    BOOST_TEST(In_place::number_of_solves() > 0);
+    check_same_basis<SMRG::Spectra_eigensolver<>>(mesh);
+    check_same_basis<SMRG::Spectra_eigensolver<Minimal_traits<>>>(mesh);
+  }
+}
+
+template <template <class> class Eigensolver>
+void check_failures()
+{
+  // Lanczos and dense path
+  for (const Index_mesh& mesh : {potato(2), tetrahedron()}) {
+    BOOST_TEST(contains(error_of<Shape_with_solver<Eigensolver<Minimal_traits<false, true>>>>(mesh),
+                        "factorization"));
+    BOOST_TEST(contains(error_of<Shape_with_solver<Eigensolver<Minimal_traits<true, false>>>>(mesh),
+                        "solution of a linear system failed"));
+    using Failing = CGAL::Eigen_solver_traits<Block_solver<false, false>>;
+    BOOST_TEST(contains(error_of<Shape_with_solver<Eigensolver<Failing>>>(mesh),
+                        "solution of a linear system failed"));
+    BOOST_TEST(error_of<Shape_with_solver<Eigensolver<Minimal_traits<>>>>(mesh) == "");
   }
 }
 
 BOOST_AUTO_TEST_CASE(solver_that_fails_is_an_error)
 {
-  // Lanczos and dense path
-  for (const Index_mesh& mesh : {potato(2), tetrahedron()}) {
-    BOOST_TEST(
-        contains(error_of<Shape_with_solver<Failing_traits<false, true>>>(mesh), "factorization"));
-    BOOST_TEST(contains(error_of<Shape_with_solver<Failing_traits<true, false>>>(mesh),
-                        "solution of a linear system failed"));
-    BOOST_TEST((error_of<Shape_with_solver<Failing_traits<true, true>>>(mesh)) == "");
-  }
+  check_failures<SMRG::Block_lanczos_eigensolver>();
+  check_failures<SMRG::Spectra_eigensolver>();
 }
 
 BOOST_AUTO_TEST_SUITE_END()

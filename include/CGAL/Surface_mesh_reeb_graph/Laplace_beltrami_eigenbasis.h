@@ -10,21 +10,23 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H
 
+#include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_interrupted.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Laplace_beltrami_matrices.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Mesh_components.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Shift_invert_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/certify_eigenpairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 
-#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -32,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -40,12 +43,6 @@
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
-namespace internal {
-
-using Default_solver_traits =
-    CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
@@ -69,22 +66,24 @@ all the eigenpairs that there are; one without extent, as an isolated vertex, ha
 
 **Number of eigenpairs.** How many pairs are used is part of the definition of the distances, not an
 accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it is
-extended up to the next gap. If a component has so few vertices that all its pairs are used, those with
+extended up to the next gap, unless `extend_to_gap` says otherwise. If a component has so few vertices that all its pairs are used, those with
 eigenvalues more than some million times the smallest one, which degenerate faces produce, are left out.
 
 **Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are divided by the
 smallest one (which is not zero), as the paper normalizes the spectrum. Hence distances and times have
 no unit, and nothing depends on the size of the shape.
 
+**Certificates.** Whatever the solver claims, the residual of every eigenpair is computed and compared with the
+tolerance, and the only null vector of every component is the constant one. `residual()`,
+`orthonormality_error()` and `null_space_residual()` tell what was found.
+
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` for symmetric positive definite
-        matrices, with `double` as number type; by default `CGAL::Eigen_solver_traits` with
-        `Eigen::SimplicialLDLT`
+\tparam Eigensolver a model of `LaplaceBeltramiEigensolver`; by default `Block_lanczos_eigensolver`
 
 \sa `feature_points()`
 \sa `commute_time_function()`
 */
-template <class TriangleMesh, class SolverTraits = internal::Default_solver_traits>
+template <class TriangleMesh, class Eigensolver = Block_lanczos_eigensolver<>>
 class Laplace_beltrami_eigenbasis
 {
 public:
@@ -128,6 +127,27 @@ public:
       \cgalParamDefault{`false`}
       \cgalParamExtra{The mesh is not changed: edges are flipped in a copy that has lengths but no points, until the angles opposite to an edge inside of the surface have a sum of at most 180 degrees. Then no coefficient of *L* outside of the diagonal is positive, except for edges on a border opposite to an obtuse angle, and *L* does not depend on how flat regions are triangulated. It costs less than the assembly of the matrices, and is worth that on meshes with badly shaped faces.}
     \cgalParamNEnd
+    \cgalParamNBegin{extend_to_gap}
+      \cgalParamDescription{whether there are more eigenpairs than asked for if the last one is multiple, so that the basis and all distances depend on the surface only}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`true`}
+    \cgalParamNEnd
+    \cgalParamNBegin{accept_converged_part}
+      \cgalParamDescription{whether a basis with fewer eigenpairs than asked for, possibly none, is accepted if the solver does not find all of them, or some have a residual above the tolerance}
+      \cgalParamType{Boolean}
+      \cgalParamDefault{`false`: this is an error}
+      \cgalParamExtra{The eigenpairs are then those before the first one that fails. The basis may end inside a multiple eigenvalue.}
+    \cgalParamNEnd
+    \cgalParamNBegin{random_seed}
+      \cgalParamDescription{the seed of the random vectors that the solver starts with; equal seeds give equal results on the same machine}
+      \cgalParamType{an unsigned integer}
+      \cgalParamDefault{`0`}
+    \cgalParamNEnd
+    \cgalParamNBegin{callback}
+      \cgalParamDescription{a function that is called from time to time with the part of the work that is done, which is in [0,1] and never decreases; it returns whether to go on}
+      \cgalParamType{a type convertible to `std::function<bool(double)>`}
+      \cgalParamDefault{no function}
+    \cgalParamNEnd
     \cgalParamNBegin{vertex_point_map}
       \cgalParamDescription{the points of the vertices}
       \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
@@ -136,12 +156,14 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  Takes one sparse factorization for every component and some hundred solves with it.
+  Takes one sparse factorization for every component and some hundred solves with it, and holds below 2.5 kB
+  for every vertex of a component at 50 pairs, of which the result has 0.4.
 
   \pre `CGAL::is_triangle_mesh(tmesh)`
 
   \throws Reeb_graph_error if a face is not a triangle, a coordinate is not a finite number, the whole surface has no area, the factorization
           fails, the eigensolver does not converge, or a residual is larger than the tolerance
+  \throws Reeb_graph_interrupted if the callback returns `false`
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
   explicit Laplace_beltrami_eigenbasis(
@@ -161,15 +183,41 @@ public:
         internal::choose_own_parameter(np, internal::tags::residual_tolerance, 1e-8);
     const bool use_intrinsic_delaunay =
         internal::choose_own_parameter(np, internal::tags::use_intrinsic_delaunay, false);
+    const bool extend_to_gap =
+        internal::choose_own_parameter(np, internal::tags::extend_to_gap, true);
+    const bool accept_converged_part =
+        internal::choose_own_parameter(np, internal::tags::accept_converged_part, false);
+    Eigensolver_options options;
+    options.residual_tolerance = tolerance;
+    options.seed = static_cast<std::uint64_t>(
+        choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u));
+    const std::function<bool(double)> callback = choose_parameter(
+        get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
     const auto vertex_point_map =
         choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
 
     check_coordinates(vertex_point_map);
     bool has_area = faces(tmesh).begin() == faces(tmesh).end();
+    const double number_of_vertices = static_cast<double>(vertices(tmesh).size());
+    double vertices_done = 0, progress = 0;
     for (std::size_t c = 0; c < m_components.size(); ++c) {
+      const double size = static_cast<double>(m_components[c].vertices.size());
+      if (callback)
+        options.callback = [&](double part) {
+          progress = (std::max)(progress, (vertices_done + part * size) / number_of_vertices);
+          return callback((std::min)(progress, 1.));
+        };
       try {
-        compute_basis(c, vertex_point_map, number_of_eigenpairs, tolerance, use_intrinsic_delaunay);
+        compute_basis(c,
+                      vertex_point_map,
+                      number_of_eigenpairs,
+                      options,
+                      extend_to_gap,
+                      accept_converged_part,
+                      use_intrinsic_delaunay);
+      } catch (const Reeb_graph_interrupted&) {
+        throw;
       } catch (const Reeb_graph_error& error) {
         std::ostringstream message;
         message << "component " << c << " (" << m_components[c].vertices.size()
@@ -177,6 +225,7 @@ public:
         throw Reeb_graph_error(message.str());
       }
       has_area = has_area || m_bases[c].area > 0;
+      vertices_done += size;
     }
     if (!has_area)
       throw Reeb_graph_error("the surface has no area: all faces are single points");
@@ -248,6 +297,14 @@ public:
 
   /// returns the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` of all eigenpairs.
   FT residual() const { return m_residual; }
+
+  /// returns the largest entry of `|Psi^T M Psi - I|` of all components, where the columns of `Psi` are the
+  /// eigenfunctions and the constant one.
+  FT orthonormality_error() const { return m_orthonormality_error; }
+
+  /// returns the largest `||L 1|| / (||L|| ||1||)` of all components, with the Frobenius norm of *L*: the constants are
+  /// null vectors. The eigenvalues certify that there are no others.
+  FT null_space_residual() const { return m_null_space_residual; }
 
   /// @}
   /// \name Distances
@@ -324,7 +381,9 @@ private:
   void compute_basis(std::size_t c,
                      VertexPointMap vertex_point_map,
                      long long number_of_eigenpairs,
-                     double tolerance,
+                     const Eigensolver_options& options,
+                     bool extend_to_gap,
+                     bool accept_converged_part,
                      bool use_intrinsic_delaunay)
   {
     Basis& basis = m_bases[c];
@@ -334,21 +393,45 @@ private:
     if (matrices.area > 0) {
       const Eigen::Index wanted = static_cast<Eigen::Index>(
           (std::min)(number_of_eigenpairs, static_cast<long long>(n) - 1));
-      internal::Shift_invert_eigensolver<SolverTraits> solver(matrices);
-      // One more for the constant function, one more to see the gap behind the last one.
-      for (Eigen::Index number = wanted + 2;; number += (std::max)(Eigen::Index(8), number / 4)) {
-        internal::Eigenpairs pairs = solver.smallest((std::min)(number, n));
-        const Eigen::Index size = number_up_to_gap(pairs.values, wanted + 1);
-        if (size < pairs.values.size() || pairs.values.size() < number) {
-          take_pairs(basis, matrices, pairs, size, tolerance);
-          break;
-        }
+      const Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
+      if (!pairs.have_converged && !accept_converged_part) {
+        std::ostringstream message;
+        message << "the eigensolver did not converge: it found "
+                << (std::max)(pairs.values.size() - 1, Eigen::Index(0)) << " of " << wanted
+                << " eigenpairs";
+        throw Reeb_graph_error(message.str());
       }
+      take_pairs(basis, matrices, pairs, options.residual_tolerance, accept_converged_part);
       basis.unit = matrices.unit;
       basis.area = matrices.area;
     }
     basis.mass = std::move(matrices.mass);
     basis.eigenfunctions.conservativeResize(n, basis.eigenvalues.size());
+  }
+
+  // The `wanted` smallest eigenpairs after the one of the constant function, which comes first.
+  static Eigenpairs eigenpairs(const internal::Laplace_beltrami_matrices& matrices,
+                               Eigen::Index wanted,
+                               const Eigensolver_options& options,
+                               bool extend_to_gap)
+  {
+    // half of what the smallest non-zero eigenvalue of a sphere of the same area is about: it depends on no unit
+    constexpr double pi = 3.14159265358979323846;
+    const double shift = 0.5 * 4 * pi / matrices.area;
+    Eigensolver solver(matrices.stiffness, matrices.mass, shift, options);
+    const Eigen::Index n = matrices.mass.size();
+    if (!extend_to_gap)
+      return solver.smallest(wanted + 1);
+    // one more, to see the gap behind the last one
+    for (Eigen::Index number = wanted + 2;; number += (std::max)(Eigen::Index(8), number / 4)) {
+      Eigenpairs pairs = solver.smallest((std::min)(number, n));
+      const Eigen::Index size = number_up_to_gap(pairs.values, wanted + 1);
+      if (size < pairs.values.size() || pairs.values.size() < number || !pairs.have_converged) {
+        pairs.values.conservativeResize(size);
+        pairs.vectors.conservativeResize(Eigen::NoChange, size);
+        return pairs;
+      }
+    }
   }
 
   // How many eigenvalues to take, at least `wanted` if there are so many, such that the last one
@@ -364,33 +447,45 @@ private:
 
   void take_pairs(Basis& basis,
                   const internal::Laplace_beltrami_matrices& matrices,
-                  const internal::Eigenpairs& pairs,
-                  Eigen::Index size,
-                  double tolerance)
+                  const Eigenpairs& pairs,
+                  double tolerance,
+                  bool accept_converged_part)
   {
+    Eigen::Index size = pairs.values.size();
+    if (size < 2)
+      return;
     // the constant function and, since the component is connected, nothing else has eigenvalue zero
-    if (size > 1 && !(pairs.values[1] > 1e6 * std::abs(pairs.values[0])))
+    if (!(pairs.values[1] > 1e6 * std::abs(pairs.values[0])))
       throw Reeb_graph_error("the eigenvalue zero could not be told from the others");
+    const Eigen::VectorXd residuals =
+        internal::relative_residuals(matrices.stiffness, matrices.mass, pairs);
+    for (Eigen::Index i = 1; i < size; ++i) {
+      if (residuals[i] <= tolerance)
+        continue;
+      if (accept_converged_part) {
+        size = i;
+        break;
+      }
+      std::ostringstream message;
+      message << "eigenpair " << i << " has the relative residual " << residuals[i]
+              << ", which is more than the tolerance " << tolerance;
+      throw Reeb_graph_error(message.str());
+    }
     basis.eigenvalues = pairs.values.segment(1, size - 1);
     basis.eigenfunctions = pairs.vectors.middleCols(1, size - 1);
-    for (Eigen::Index i = 0; i < basis.eigenvalues.size(); ++i) {
-      auto psi = basis.eigenfunctions.col(i);
+    for (auto psi : basis.eigenfunctions.colwise()) {
       Eigen::Index largest;
       psi.cwiseAbs().maxCoeff(&largest);
       if (psi[largest] < 0)
         psi = -psi;
-      const Eigen::VectorXd l_psi = matrices.stiffness * psi;
-      const Eigen::VectorXd m_psi = matrices.mass.cwiseProduct(psi);
-      const double scale = basis.eigenvalues[i] * m_psi.norm();
-      const double residual = (l_psi - basis.eigenvalues[i] * m_psi).norm() / scale;
-      if (!(residual <= tolerance)) {
-        std::ostringstream message;
-        message << "eigenpair " << i + 1 << " has the relative residual " << residual
-                << ", which is more than the tolerance " << tolerance;
-        throw Reeb_graph_error(message.str());
-      }
-      m_residual = (std::max)(m_residual, residual);
     }
+    if (size > 1)
+      m_residual = (std::max)(m_residual, residuals.segment(1, size - 1).maxCoeff());
+    m_orthonormality_error =
+        (std::max)(m_orthonormality_error,
+                   internal::orthonormality_error(matrices.mass, pairs.vectors.leftCols(size)));
+    m_null_space_residual =
+        (std::max)(m_null_space_residual, internal::null_space_residual(matrices.stiffness));
   }
 
   template <class Factors>
@@ -411,6 +506,8 @@ private:
   internal::Mesh_components<TriangleMesh> m_components;
   std::vector<Basis> m_bases; // by component
   FT m_residual = 0;
+  FT m_orthonormality_error = 0;
+  FT m_null_space_residual = 0;
 };
 
 } // namespace Surface_mesh_reeb_graph

@@ -10,6 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
 
+#include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
@@ -62,10 +63,10 @@ limbs the graph has a minimum in the center and a maximum at the tip of every li
     \cgalParamType{a class model of `ReadWritePropertyMap`, Boolean}
     \cgalParamDefault{no map, `false`}
   \cgalParamNEnd
-  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_delaunay}
+  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_delaunay, extend_to_gap, accept_converged_part, random_seed, callback}
     \cgalParamDescription{as in `Laplace_beltrami_eigenbasis`}
-    \cgalParamType{an integer, `double`, Boolean}
-    \cgalParamDefault{`50`, `1e-8`, `false`}
+    \cgalParamType{an integer, `double`, Boolean, Boolean, Boolean, an unsigned integer, a type convertible to `std::function<bool(double)>`}
+    \cgalParamDefault{`50`, `1e-8`, `false`, `true`, `false`, `0`, no function}
   \cgalParamNEnd
   \cgalParamNBegin{small_time, large_time, minima_as_feature_points}
     \cgalParamDescription{as in `feature_points()`}
@@ -116,7 +117,8 @@ void commute_time_reeb_graph(const TriangleMesh& tmesh,
   const auto values = get(CGAL::dynamic_vertex_property_t<double>(), tmesh);
   {
     // the basis is by far the largest object: it goes before the graph is computed
-    const Laplace_beltrami_eigenbasis<TriangleMesh, Solver_traits> basis(tmesh, np);
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Block_lanczos_eigensolver<Solver_traits>> basis(
+        tmesh, np);
     feature_points(basis, std::back_inserter(points), np);
     commute_time_function(basis, points, values);
   }

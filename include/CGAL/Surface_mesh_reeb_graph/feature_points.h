@@ -93,7 +93,7 @@ that the paper builds on. The literal reading is available as a named parameter.
 
 Components without eigenpairs (isolated vertices) have no feature points; all others have at least one.
 
-\tparam TriangleMesh, SolverTraits as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
 \tparam OutputIterator a model of `OutputIterator` that holds
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
 \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
@@ -129,10 +129,10 @@ is about as long as the longest: then it is a long one.
 \throws Reeb_graph_error if a time is negative or not a finite number; nothing has been written then
 */
 template <class TriangleMesh,
-          class SolverTraits,
+          class Eigensolver,
           class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, SolverTraits>& basis,
+OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
                               OutputIterator out,
                               const NamedParameters& np = CGAL::parameters::default_values())
 {

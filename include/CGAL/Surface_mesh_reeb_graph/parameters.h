@@ -78,7 +78,7 @@ A chain that has only names of \cgal starts with `CGAL::parameters::` as everywh
 |------|---------------|
 | `collect_arc_vertices`, `face_arc_map`, `unfold_multiple_saddles`, `vertex_arc_map` | `compute_reeb_graph()` |
 | `loop_persistence_threshold`, `number_of_leaves`, `persistence_threshold`, `threshold_is_absolute` | `simplify_reeb_graph()` |
-| `number_of_eigenpairs`, `residual_tolerance`, `use_intrinsic_delaunay` | `Laplace_beltrami_eigenbasis` |
+| `accept_converged_part`, `extend_to_gap`, `number_of_eigenpairs`, `residual_tolerance`, `use_intrinsic_delaunay` | `Laplace_beltrami_eigenbasis` |
 | `small_time`, `large_time`, `minima_as_feature_points` | `feature_points()` |
 | `vertex_value_map` | `commute_time_reeb_graph()` |
 */

@@ -11,10 +11,12 @@
 // (type of the tag, value of the tag, name of the parameter).
 // There is no include guard: parameters.h includes this file several times.
 // A parameter that CGAL has already (vertex_point_map, vertex_index_map, geom_traits, random_seed,
-// output_iterator, number_of_samples) is not repeated here.
+// callback, output_iterator, number_of_samples) is not repeated here.
 CGAL_add_named_parameter(number_of_eigenpairs_t, number_of_eigenpairs, number_of_eigenpairs)
 CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
 CGAL_add_named_parameter(use_intrinsic_delaunay_t, use_intrinsic_delaunay, use_intrinsic_delaunay)
+CGAL_add_named_parameter(extend_to_gap_t, extend_to_gap, extend_to_gap)
+CGAL_add_named_parameter(accept_converged_part_t, accept_converged_part, accept_converged_part)
 CGAL_add_named_parameter(small_time_t, small_time, small_time)
 CGAL_add_named_parameter(large_time_t, large_time, large_time)
 CGAL_add_named_parameter(minima_as_feature_points_t,

@@ -1,0 +1,407 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_BLOCK_LANCZOS_EIGENSOLVER_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_BLOCK_LANCZOS_EIGENSOLVER_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/Eigensolver_options.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Default_solver_traits.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Random_numbers.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Row_block.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Shift_inverted_operator.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphClasses
+
+The smallest eigenpairs of *L psi = lambda M psi* by block Lanczos iteration, with shift and invert: the
+default eigensolver of `Laplace_beltrami_eigenbasis`.
+
+The largest eigenvalues of *A = M^1/2 (L + sigma M)^-1 M^1/2* are `1 / (lambda + sigma)` for the smallest *lambda*.
+Eight vectors are multiplied by *A* at a time, which takes one pass over the factor of *L + sigma M*, and are
+orthogonalized against all others (\cgalCite{grimes_1994}). The basis has a bounded number of vectors: when it is full, it is replaced by the
+approximations of the eigenvectors wanted and some more, and continued (\cgalCite{wu_2000}).
+
+**Multiple eigenvalues** of any multiplicity are found completely: a Krylov space of eight random vectors
+holds up to eight vectors of every eigenspace; if eight eigenvalues coincide, the space orthogonal to those found is searched
+from new random vectors. The chance to miss one is below 1e-10.
+
+**Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any size. Beside the factor
+and the result it holds about three vectors for every pair wanted, 8 bytes per vertex each.
+
+\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` for symmetric positive definite matrices, with
+        `double` as number type. If it has a member function `solver()` that returns a solver with the interface of those of Eigen, as
+        `CGAL::Eigen_solver_traits` has, the right-hand sides are solved for in blocks of eight; if that one has in
+        addition a member function `solve_in_place(x)`, it is given the blocks themselves, which are of type
+        `Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>`, to be overwritten by the solutions. By default `CGAL::Eigen_solver_traits` with
+        `Eigen::SimplicialLDLT`.
+
+\cgalModels `LaplaceBeltramiEigensolver`
+
+\sa `Spectra_eigensolver`
+*/
+template <class SolverTraits = internal::Default_solver_traits>
+class Block_lanczos_eigensolver
+{
+  using Row_block = internal::Row_block;
+  using Block_coefficients = internal::Block_coefficients;
+  static constexpr Eigen::Index width = internal::block_width;
+
+public:
+  /*!
+  factors *L + sigma M*.
+
+  \param stiffness *L*: symmetric, positive semi-definite
+  \param mass the diagonal of *M*: not negative, not all zero
+  \param shift *sigma*: positive, of the order of the smallest non-zero eigenvalue
+  \param options seed, tolerance and callback
+
+  \throws Reeb_graph_error if the factorization fails
+  \throws Reeb_graph_interrupted if the callback returns `false`
+  */
+  Block_lanczos_eigensolver(const Eigen::SparseMatrix<double>& stiffness,
+                            const Eigen::VectorXd& mass,
+                            double shift,
+                            const Eigensolver_options& options = Eigensolver_options())
+    : m_options(options)
+    , m_random(options.seed)
+    , m_tolerance((std::min)((std::max)(1e-4 * options.residual_tolerance, 1e-13), 1e-11))
+    , m_operator((options.report_progress(0), stiffness), mass, shift)
+  {}
+
+  /*!
+  returns the `number` smallest eigenpairs, or all if there are fewer. It may be called several times,
+  and uses what it found before.
+
+  \pre `number > 0`
+
+  \throws Reeb_graph_error if a linear system could not be solved
+  \throws Reeb_graph_interrupted if the callback returns `false`
+  */
+  Eigenpairs smallest(Eigen::Index number)
+  {
+    CGAL_precondition(number > 0);
+    if (m_operator.is_small_for(number))
+      return m_operator.dense_eigenpairs(number);
+    const bool have_converged = iterate(number);
+    if (!have_converged)
+      number = (std::min)(number, number_converged());
+    return eigenpairs(number, have_converged);
+  }
+
+private:
+  // The basis V has `m_processed` blocks that were multiplied by A, and after them one pending block or several, with
+  // `A V_processed = V T_processed`: T is the projection `V^T A V` of A on V, and what it has below
+  // the processed blocks is the rest that the eigenpairs of its upper part leave.
+  // An additional random pending block, orthogonal to all others, leaves this as it is.
+
+  Eigen::Index number_of_pending_blocks() const { return m_basis.size() - m_processed; }
+
+  // Until the `number` largest eigenvalues of A are found; returns whether that was possible.
+  bool iterate(Eigen::Index number)
+  {
+    constexpr int max_restarts = 300;
+    // What three vectors for every pair cost in memory, more would not make up for in solves; and a few steps
+    // have room in any case.
+    const Eigen::Index capacity = (std::max)(3 * number, number + 48) / width + 1;
+    m_progress = 0;
+    if (m_basis.size() == 0)
+      insert_random_block(0);
+    else if (has_converged(number) && is_complete(number))
+      return true;
+    for (int restarts = 0; restarts < max_restarts; ++restarts) {
+      Eigen::Index next_look = (std::max)((m_processed + capacity) / 2, number / width + 1);
+      while (m_processed < capacity && has_room_for_block()) {
+        multiply_next(m_basis.size());
+        if (m_processed >= next_look || m_processed >= capacity || !has_room_for_block()) {
+          if (has_converged(number) && is_complete(number))
+            return true;
+          next_look = m_processed + 2;
+        }
+      }
+      keep_largest((std::max)(number / width + 1, (number / width + capacity) / 2));
+    }
+    return false;
+  }
+
+  bool has_room_for_block() const { return width * (m_basis.size() + 1) <= m_operator.rows(); }
+
+  bool has_converged(Eigen::Index number)
+  {
+    compute_ritz_pairs();
+    const Eigen::Index converged = (std::min)(number, number_converged());
+    m_progress = (std::max)(m_progress, static_cast<double>(converged) / number);
+    return converged == number;
+  }
+
+  // Multiplies the first pending block by A, and puts what is orthogonal to the basis at `position`.
+  void multiply_next(Eigen::Index position)
+  {
+    m_options.report_progress(m_progress);
+    const Eigen::Index p = m_processed;
+    Row_block w = m_basis[p];
+    m_operator.apply(w);
+    // What T says already goes first, and then what cancels most: the coefficients of the pending blocks.
+    for (Eigen::Index i = 0; i < p; ++i)
+      if (!coefficients(i, p).isZero(0))
+        subtract(w, i, coefficients(i, p));
+    for (Eigen::Index i = p; i < m_basis.size(); ++i) {
+      Block_coefficients c = internal::transposed_product(m_basis[i], w);
+      subtract(w, i, c);
+      if (i == p)
+        c = (c + c.transpose()).eval() / 2;
+      coefficients(i, p) = c;
+      coefficients(p, i) = c.transpose();
+    }
+    m_scale = (std::max)(m_scale, coefficients(p, p).diagonal().cwiseAbs().maxCoeff());
+    const Block_coefficients rest = orthonormalize(w);
+    ++m_processed;
+    insert(position, std::move(w));
+    coefficients(position, p) = rest;
+    coefficients(p, position) = rest.transpose();
+  }
+
+  void subtract(Row_block& w, Eigen::Index i, const Block_coefficients& c) const
+  {
+    internal::subtract_product(w.data(), m_basis[i].data(), w.rows(), c);
+  }
+
+  // Makes the columns of w orthonormal and orthogonal to the basis. Returns B such that the old w is the
+  // new one times B, up to what was in the basis.
+  // The Cholesky factor of the Gram matrix does it; twice, since the first time leaves errors of the square of the
+  // condition number. A block that is nearly dependent, as when an invariant space is exhausted, is rotated first, such that its columns
+  // are orthogonal; those that are nothing but rounding are replaced by random ones, which B multiplies by zero.
+  Block_coefficients orthonormalize(Row_block& w)
+  {
+    constexpr int max_passes = 6;
+    constexpr double well_conditioned = 1e-2, dependent = 1e-6, negligible = 1e-14;
+    Block_coefficients b = Block_coefficients::Identity();
+    for (int pass = 0; pass < max_passes; ++pass) {
+      m_basis.project_out_of(w);
+      const double conditioning = divide_by_cholesky_factor(w, b, dependent);
+      if (conditioning >= dependent) {
+        divide_by_cholesky_factor(w, b, dependent);
+        if (conditioning >= well_conditioned)
+          return b;
+        continue;
+      }
+      const Eigen::SelfAdjointEigenSolver<Block_coefficients> rotation(
+          internal::transposed_product(w, w));
+      internal::multiply_from_right(w, rotation.eigenvectors());
+      b = rotation.eigenvectors().transpose() * b;
+      for (Eigen::Index j = 0; j < width; ++j) {
+        const double norm = w.col(j).norm();
+        if (norm > negligible * m_scale) {
+          w.col(j) /= norm;
+          b.row(j) *= norm;
+        } else {
+          for (Eigen::Index i = 0; i < w.rows(); ++i)
+            w(i, j) = m_random.next();
+          w.col(j).normalize();
+          b.row(j).setZero();
+        }
+      }
+    }
+    throw Reeb_graph_error("the Lanczos vectors could not be made orthogonal");
+  }
+
+  // With the Cholesky factorization `w^T w = R^T R`: `w = w R^-1`, `b = R b`. Returns the ratio of the
+  // smallest and the largest pivot; if it is less than `smallest_ratio`, nothing is changed.
+  static double
+  divide_by_cholesky_factor(Row_block& w, Block_coefficients& b, double smallest_ratio)
+  {
+    const Eigen::LLT<Block_coefficients> cholesky(internal::transposed_product(w, w));
+    const Eigen::VectorXd pivots = cholesky.matrixLLT().diagonal();
+    if (cholesky.info() != Eigen::Success ||
+        !(pivots.minCoeff() >= smallest_ratio * pivots.maxCoeff()))
+      return 0;
+    const Block_coefficients r = cholesky.matrixU();
+    const Block_coefficients inverse =
+        cholesky.matrixU().solve(Block_coefficients(Block_coefficients::Identity()));
+    internal::multiply_from_right(w, inverse);
+    b = r * b;
+    return pivots.minCoeff() / pivots.maxCoeff();
+  }
+
+  void insert_random_block(Eigen::Index position)
+  {
+    Row_block w(m_operator.rows(), width);
+    for (Eigen::Index i = 0; i < w.rows(); ++i)
+      for (Eigen::Index j = 0; j < width; ++j)
+        w(i, j) = m_random.next();
+    orthonormalize(w);
+    insert(position, std::move(w));
+    m_number_of_random_vectors += width;
+  }
+
+  void insert(Eigen::Index position, Row_block&& w)
+  {
+    m_basis.insert(position, std::move(w));
+    const Eigen::Index old_size = m_projected.rows(), before = width * position,
+                       after = old_size - before;
+    Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(old_size + width, old_size + width);
+    projected.topLeftCorner(before, before) = m_projected.topLeftCorner(before, before);
+    projected.topRightCorner(before, after) = m_projected.topRightCorner(before, after);
+    projected.bottomLeftCorner(after, before) = m_projected.bottomLeftCorner(after, before);
+    projected.bottomRightCorner(after, after) = m_projected.bottomRightCorner(after, after);
+    m_projected.swap(projected);
+  }
+
+  Eigen::Block<Eigen::MatrixXd, width, width> coefficients(Eigen::Index i, Eigen::Index j)
+  {
+    return m_projected.block<width, width>(width * i, width * j);
+  }
+
+  // The eigenpairs of the projection of A on the processed part of the basis, with decreasing eigenvalues.
+  void compute_ritz_pairs()
+  {
+    const Eigen::Index size = width * m_processed;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+        m_projected.topLeftCorner(size, size));
+    if (solver.info() != Eigen::Success)
+      throw Reeb_graph_error("the eigenvalues of the projected matrix did not converge");
+    m_ritz_values = solver.eigenvalues().reverse();
+    m_ritz_vectors = solver.eigenvectors().rowwise().reverse();
+    m_ritz_couplings =
+        m_projected.bottomLeftCorner(m_projected.rows() - size, size) * m_ritz_vectors;
+  }
+
+  Eigen::Index number_converged() const
+  {
+    Eigen::Index number = 0;
+    while (number < m_ritz_values.size() &&
+           m_ritz_couplings.col(number).norm() <= m_tolerance * m_ritz_values[number])
+      ++number;
+    return number;
+  }
+
+  // Replaces the processed part of the basis by the first Ritz vectors, as many as fill `blocks`.
+  void keep_largest(Eigen::Index blocks)
+  {
+    blocks = (std::min)(blocks, m_processed);
+    const Eigen::Index kept = width * blocks, pending = width * number_of_pending_blocks();
+    m_ritz_values.conservativeResize(kept);
+    m_ritz_vectors.conservativeResize(Eigen::NoChange, kept);
+    m_ritz_couplings.conservativeResize(Eigen::NoChange, kept);
+    m_basis.multiply_from_right(m_ritz_vectors);
+    m_processed = blocks;
+    m_projected.setZero(kept + pending, kept + pending);
+    m_projected.diagonal().head(kept) = m_ritz_values;
+    m_projected.bottomLeftCorner(pending, kept) = m_ritz_couplings;
+    m_projected.topRightCorner(kept, pending) = m_ritz_couplings.transpose();
+    m_ritz_vectors.setIdentity(kept, kept);
+  }
+
+  // Whether no eigenvalue is missing among those found, which have all converged.
+  //
+  // A Krylov space of b random vectors holds all vectors of an eigenspace of dimension up to b, with
+  // probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can there be more of them. Where that is so,
+  // the space orthogonal to what was kept is searched: the largest eigenvalue of A restricted to it is that of
+  // a missing vector, if there is one. From a block of random vectors, k steps make the component of the
+  // latter larger than all others by a Chebyshev polynomial of degree k, about
+  // `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the next eigenvalue to it. At the start the component
+  // of the best of eight random vectors of dimension n is less than `0.1 / sqrt(n)` with a probability of 1e-11.
+  bool is_complete(Eigen::Index number)
+  {
+    constexpr double coincidence = 1e-6;
+    const double smallest = m_ritz_values[number - 1];
+    double suspect = 0; // the smallest eigenvalue of which there may be more
+    for (Eigen::Index i = 0; i + m_number_of_random_vectors <= number; ++i) {
+      const double last = m_ritz_values[i + m_number_of_random_vectors - 1];
+      // further ones of the last eigenvalue may be missing: there are as many as were wanted
+      if (m_ritz_values[i] - last <= coincidence * m_ritz_values[i] &&
+          last > (1 + coincidence) * smallest)
+        suspect = last;
+    }
+    if (suspect == 0)
+      return true;
+
+    const double amplification = std::log(40 * std::sqrt(static_cast<double>(m_operator.rows())));
+    keep_largest(2 * number / width + 1);
+    const Eigen::Index begin = m_processed;
+    insert_random_block(begin);
+    for (Eigen::Index steps = 1;; ++steps) {
+      multiply_next(m_processed + 1);
+      const Eigen::Index size = width * (m_processed - begin);
+      const double largest =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+              m_projected.block(width * begin, width * begin, size, size), Eigen::EigenvaluesOnly)
+              .eigenvalues()[size - 1];
+      const double ratio = largest / suspect;
+      const bool is_missing = ratio >= 1 - coincidence;
+      if (is_missing || !has_room_for_block()) {
+        compute_ritz_pairs();
+        return !is_missing;
+      }
+      if (static_cast<double>(steps) * std::acosh(2 / ratio - 1) >= amplification)
+        break;
+    }
+    // Nothing was found: back to what was there before.
+    const Eigen::Index removed = m_processed - begin + 1;
+    const Eigen::Index pending = width * (m_basis.size() - begin - removed);
+    const Eigen::Index kept = width * begin;
+    const Eigen::MatrixXd old = m_projected;
+    m_projected.resize(kept + pending, kept + pending);
+    m_projected << old.topLeftCorner(kept, kept), old.topRightCorner(kept, pending),
+        old.bottomLeftCorner(pending, kept), old.bottomRightCorner(pending, pending);
+    m_basis.erase(begin, begin + removed);
+    m_processed = begin;
+    m_number_of_random_vectors -= width;
+    compute_ritz_pairs();
+    return true;
+  }
+
+  Eigenpairs eigenpairs(Eigen::Index number, bool have_converged)
+  {
+    Eigenpairs result;
+    result.have_converged = have_converged;
+    result.values = m_ritz_values.head(number).unaryExpr(
+        [this](double nu) { return m_operator.to_eigenvalue(nu); });
+    result.vectors = m_basis.product(m_ritz_vectors.leftCols(number));
+    m_operator.for_blocks_of_columns(result.vectors,
+                                     [this](Row_block& y) { m_operator.to_eigenfunctions(y); });
+    result.vectors *= m_ritz_values.head(number).cwiseInverse().asDiagonal();
+    m_options.report_progress(1);
+    return result;
+  }
+
+  Eigensolver_options m_options;
+  internal::Random_numbers m_random;
+  double m_tolerance; // of an eigenpair (nu, y) of A: ||A y - nu y|| <= m_tolerance * nu
+  internal::Shift_inverted_operator<SolverTraits> m_operator;
+  internal::Block_basis m_basis;
+  Eigen::Index m_processed = 0;
+  Eigen::Index m_number_of_random_vectors = 0;
+  Eigen::MatrixXd m_projected;
+  double m_scale = 0; // about the largest eigenvalue of A
+  Eigen::VectorXd m_ritz_values;
+  Eigen::MatrixXd m_ritz_vectors;
+  Eigen::MatrixXd m_ritz_couplings; // the parts of `A y` in the pending blocks
+  double m_progress = 0;
+};
+
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_BLOCK_LANCZOS_EIGENSOLVER_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SHIFT_INVERTED_OPERATOR_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SHIFT_INVERTED_OPERATOR_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Row_block.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Whether a model of `SparseLinearAlgebraWithFactorTraits_d` gives access to a solver with Eigen's
+// interface, which solves for several right-hand sides at once ...
+template <class SolverTraits, class = void>
+struct Solves_matrices : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_matrices<SolverTraits,
+                       std::void_t<decltype(std::declval<Eigen::MatrixXd&>() =
+                                                std::declval<SolverTraits&>().solver().solve(
+                                                    std::declval<const Eigen::MatrixXd&>()))>>
+  : std::true_type
+{
+};
+
+// ... and to one that overwrites a block of right-hand sides by the solutions.
+template <class SolverTraits, class = void>
+struct Solves_in_place : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_in_place<SolverTraits,
+                       std::void_t<decltype(std::declval<SolverTraits&>().solver().solve_in_place(
+                           std::declval<Row_block&>()))>> : std::true_type
+{
+};
+
+// `A = M^1/2 (L + sigma M)^-1 M^1/2`. Its eigenvalues are `nu = 1 / (lambda + sigma)` for those of
+// `L psi = lambda M psi`, and infinitely large lambda (nu = 0) for vertices without mass.
+template <class SolverTraits>
+class Shift_inverted_operator
+{
+  using Matrix = typename SolverTraits::Matrix;
+  using Vector = typename SolverTraits::Vector;
+
+public:
+  Shift_inverted_operator(const Eigen::SparseMatrix<double>& stiffness,
+                          const Eigen::VectorXd& mass,
+                          double shift)
+    : m_sqrt_mass(mass.cwiseSqrt())
+    , m_shift(shift)
+    , m_shifted(static_cast<int>(rows()))
+    , m_right_hand_side(static_cast<int>(rows()))
+    , m_solution(static_cast<int>(rows()))
+  {
+    for (Eigen::Index j = 0; j < stiffness.outerSize(); ++j)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness, j); it; ++it)
+        m_shifted.set_coef(
+            it.row(), it.col(), it.value() + (it.row() == it.col() ? shift * mass[j] : 0.), true);
+    double determinant;
+    if (!m_solver.factor(m_shifted, determinant))
+      throw Reeb_graph_error("the factorization of the shifted stiffness matrix failed");
+  }
+
+  Eigen::Index rows() const { return m_sqrt_mass.size(); }
+
+  // `x = A x`
+  void apply(Row_block& x)
+  {
+    x.array().colwise() *= m_sqrt_mass.array();
+    solve(x);
+    x.array().colwise() *= m_sqrt_mass.array();
+  }
+  void apply(const double* x_in, double* y_out)
+  {
+    const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
+    Eigen::Map<Eigen::VectorXd> y(y_out, rows());
+    y = m_sqrt_mass.cwiseProduct(x);
+    solve(y);
+    y = m_sqrt_mass.cwiseProduct(y);
+  }
+
+  // An eigenvector y of A gives the eigenfunction `psi = M^-1/2 y`, which says nothing where M is zero. One
+  // more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out most of the
+  // error of y, which is in the directions that A makes small.
+  void to_eigenfunctions(Row_block& y)
+  {
+    y.array().colwise() *= m_sqrt_mass.array();
+    solve(y);
+  }
+  double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
+
+  // Whether `number` of all eigenpairs are so many that a Krylov space, which needs room, and what is orthogonal to
+  // it leave no room: then all eigenpairs are computed.
+  bool is_small_for(Eigen::Index number) const
+  {
+    return 3 * number + 60 >= (m_sqrt_mass.array() > 0).count();
+  }
+
+  // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense matrix.
+  Eigenpairs dense_eigenpairs(Eigen::Index number)
+  {
+    Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
+    for_blocks_of_columns(a, [this](Row_block& x) { apply(x); });
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
+    if (solver.info() != Eigen::Success)
+      throw Reeb_graph_error("the dense eigensolver did not converge");
+    // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong to
+    // faces that are degenerate: those of a regular mesh of so few vertices differ by a thousand.
+    constexpr double negligible = 1e-7;
+    const double largest = solver.eigenvalues().maxCoeff();
+    const Eigen::Index available = (solver.eigenvalues().array() > negligible * largest).count();
+    number = (std::min)(number, available);
+    Eigenpairs result;
+    const Eigen::VectorXd nu = solver.eigenvalues().tail(number).reverse();
+    result.values = nu.unaryExpr([this](double x) { return to_eigenvalue(x); });
+    result.vectors = solver.eigenvectors().rightCols(number).rowwise().reverse();
+    for_blocks_of_columns(result.vectors, [this](Row_block& y) { to_eigenfunctions(y); });
+    result.vectors *= nu.cwiseInverse().asDiagonal();
+    return result;
+  }
+
+  // Calls `function` for eight columns of `matrix` after the other, as blocks that it changes; the last block is
+  // filled up with zeros.
+  template <class Function>
+  static void for_blocks_of_columns(Eigen::MatrixXd& matrix, const Function& function)
+  {
+    Row_block block(matrix.rows(), block_width);
+    for (Eigen::Index j = 0; j < matrix.cols(); j += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), matrix.cols() - j);
+      block.rightCols(block_width - width).setZero();
+      block.leftCols(width) = matrix.middleCols(j, width);
+      function(block);
+      matrix.middleCols(j, width) = block.leftCols(width);
+    }
+  }
+
+private:
+  void solve(Row_block& x)
+  {
+    if constexpr (Solves_in_place<SolverTraits>::value) {
+      m_solver.solver().solve_in_place(x);
+      check(m_solver.solver().info() == Eigen::Success);
+    } else if constexpr (Solves_matrices<SolverTraits>::value) {
+      m_right_hand_sides = x;
+      m_solutions = m_solver.solver().solve(m_right_hand_sides);
+      check(m_solver.solver().info() == Eigen::Success);
+      x = m_solutions;
+    } else {
+      for (int j = 0; j < block_width; ++j) {
+        auto column = x.col(j);
+        solve(column);
+      }
+    }
+  }
+
+  template <class Column>
+  void solve(Column& x)
+  {
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      m_right_hand_side.set(i, x[i]);
+    check(m_solver.linear_solver(m_right_hand_side, m_solution));
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      x[i] = m_solution[i];
+  }
+
+  static void check(bool success)
+  {
+    if (!success)
+      throw Reeb_graph_error("the solution of a linear system failed");
+  }
+
+  Eigen::VectorXd m_sqrt_mass;
+  double m_shift;
+  Matrix m_shifted;
+  SolverTraits m_solver;
+  Vector m_right_hand_side, m_solution;            // for one column
+  Eigen::MatrixXd m_right_hand_sides, m_solutions; // for blocks
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SHIFT_INVERTED_OPERATOR_H
