@@ -35,27 +35,26 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The smallest eigenpairs of *L psi = lambda M psi* by block Lanczos iteration, with shift and invert: the
-default eigensolver of `Laplace_beltrami_eigenbasis`.
+The smallest eigenpairs of *L psi = lambda M psi* by block Lanczos iteration, with shift and invert:
+the default eigensolver of `Laplace_beltrami_eigenbasis`.
 
-The largest eigenvalues of *A = M^1/2 (L + sigma M)^-1 M^1/2* are `1 / (lambda + sigma)` for the smallest *lambda*.
-Eight vectors are multiplied by *A* at a time, which takes one pass over the factor of *L + sigma M*, and are
-orthogonalized against all others (\cgalCite{grimes_1994}). The basis has a bounded number of vectors: when it is full, it is replaced by the
-approximations of the eigenvectors wanted and some more, and continued (\cgalCite{wu_2000}).
+The largest eigenvalues of *A = M^1/2 (L + sigma M)^-1 M^1/2* are `1 / (lambda + sigma)` for the
+smallest *lambda*. Eight vectors are multiplied by *A* at a time, which takes one pass over the
+factor of *L + sigma M*, and are orthogonalized against all others (\cgalCite{grimes_1994}). The
+basis has a bounded number of vectors: when it is full, it is replaced by the approximations of the
+eigenvectors wanted and some more, and continued (\cgalCite{wu_2000}).
 
-**Multiple eigenvalues** of any multiplicity are found completely: a Krylov space of eight random vectors
-holds up to eight vectors of every eigenspace; if eight eigenvalues coincide, the space orthogonal to those found is searched
-from new random vectors. The chance to miss one is below 1e-10.
+**Multiple eigenvalues** of any multiplicity are found completely: a Krylov space of eight random
+vectors holds up to eight vectors of every eigenspace; if eight eigenvalues coincide, the space
+orthogonal to those found is searched from new random vectors. The chance to miss one is below
+1e-10.
 
-**Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any size. Beside the factor
-and the result it holds about three vectors for every pair wanted, 8 bytes per vertex each.
+**Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any
+size. Beside the factor and the result it holds about three vectors for every pair wanted, 8 bytes
+per vertex each.
 
-\tparam SolverTraits a model of `SparseLinearAlgebraWithFactorTraits_d` for symmetric positive definite matrices, with
-        `double` as number type. If it has a member function `solver()` that returns a solver with the interface of those of Eigen, as
-        `CGAL::Eigen_solver_traits` has, the right-hand sides are solved for in blocks of eight; if that one has in
-        addition a member function `solve_in_place(x)`, it is given the blocks themselves, which are of type
-        `Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>`, to be overwritten by the solutions. By default `CGAL::Eigen_solver_traits` with
-        `Eigen::SimplicialLDLT`.
+\tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
+        `CGAL::Eigen_solver_traits` with `Eigen::SimplicialLDLT`
 
 \cgalModels `LaplaceBeltramiEigensolver`
 
@@ -91,8 +90,8 @@ public:
   {}
 
   /*!
-  returns the `number` smallest eigenpairs, or all if there are fewer. It may be called several times,
-  and uses what it found before.
+  returns the `number` smallest eigenpairs, or all if there are fewer. It may be called several
+  times, and uses what it found before.
 
   \pre `number > 0`
 
@@ -111,10 +110,10 @@ public:
   }
 
 private:
-  // The basis V has `m_processed` blocks that were multiplied by A, and after them one pending block or several, with
-  // `A V_processed = V T_processed`: T is the projection `V^T A V` of A on V, and what it has below
-  // the processed blocks is the rest that the eigenpairs of its upper part leave.
-  // An additional random pending block, orthogonal to all others, leaves this as it is.
+  // The basis V has `m_processed` blocks that were multiplied by A, and after them one pending
+  // block or several, with `A V_processed = V T_processed`: T is the projection `V^T A V` of A on
+  // V, and what it has below the processed blocks is the rest that the eigenpairs of its upper part
+  // leave. An additional random pending block, orthogonal to all others, leaves this as it is.
 
   Eigen::Index number_of_pending_blocks() const { return m_basis.size() - m_processed; }
 
@@ -122,23 +121,34 @@ private:
   bool iterate(Eigen::Index number)
   {
     constexpr int max_restarts = 300;
-    // What three vectors for every pair cost in memory, more would not make up for in solves; and a few steps
-    // have room in any case.
+    // What three vectors for every pair cost in memory, more would not make up for in solves; and a
+    // few steps have room in any case.
     const Eigen::Index capacity = (std::max)(3 * number, number + 48) / width + 1;
     m_progress = 0;
     if (m_basis.size() == 0)
       insert_random_block(0);
     else if (has_converged(number) && is_complete(number))
       return true;
+    // A look at the eigenpairs costs as much as a step on small meshes. So the next one is when
+    // they will have converged, if the error goes on to decrease as it did since the last one.
+    Eigen::Index steps = 0, last_look = 0,
+                 next_look = (std::max)(m_processed, 3 * capacity / 4) - m_processed;
+    double last_error = 0;
     for (int restarts = 0; restarts < max_restarts; ++restarts) {
-      Eigen::Index next_look = (std::max)((m_processed + capacity) / 2, number / width + 1);
       while (m_processed < capacity && has_room_for_block()) {
         multiply_next(m_basis.size());
-        if (m_processed >= next_look || m_processed >= capacity || !has_room_for_block()) {
-          if (has_converged(number) && is_complete(number))
-            return true;
-          next_look = m_processed + 2;
-        }
+        ++steps;
+        if (steps < next_look && m_processed < capacity && has_room_for_block())
+          continue;
+        if (has_converged(number) && is_complete(number))
+          return true;
+        const double error = std::log(largest_relative_coupling(number));
+        const double decrease = (last_error - error) / static_cast<double>(steps - last_look);
+        const bool is_known = last_look > 0 && decrease > 0 && error > 0;
+        next_look = steps + (is_known ? static_cast<Eigen::Index>((std::min)(error / decrease, 1e3))
+                                      : Eigen::Index(2));
+        last_look = steps;
+        last_error = error;
       }
       keep_largest((std::max)(number / width + 1, (number / width + capacity) / 2));
     }
@@ -155,14 +165,16 @@ private:
     return converged == number;
   }
 
-  // Multiplies the first pending block by A, and puts what is orthogonal to the basis at `position`.
+  // Multiplies the first pending block by A, and puts what is orthogonal to the basis at
+  // `position`.
   void multiply_next(Eigen::Index position)
   {
     m_options.report_progress(m_progress);
     const Eigen::Index p = m_processed;
     Row_block w = m_basis[p];
     m_operator.apply(w);
-    // What T says already goes first, and then what cancels most: the coefficients of the pending blocks.
+    // What T says already goes first, and then what cancels most: the coefficients of the pending
+    // blocks.
     for (Eigen::Index i = 0; i < p; ++i)
       if (!coefficients(i, p).isZero(0))
         subtract(w, i, coefficients(i, p));
@@ -187,11 +199,12 @@ private:
     internal::subtract_product(w.data(), m_basis[i].data(), w.rows(), c);
   }
 
-  // Makes the columns of w orthonormal and orthogonal to the basis. Returns B such that the old w is the
-  // new one times B, up to what was in the basis.
-  // The Cholesky factor of the Gram matrix does it; twice, since the first time leaves errors of the square of the
-  // condition number. A block that is nearly dependent, as when an invariant space is exhausted, is rotated first, such that its columns
-  // are orthogonal; those that are nothing but rounding are replaced by random ones, which B multiplies by zero.
+  // Makes the columns of w orthonormal and orthogonal to the basis. Returns B such that the old w
+  // is the new one times B, up to what was in the basis. The Cholesky factor of the Gram matrix
+  // does it; twice, since the first time leaves errors of the square of the condition number. A
+  // block that is nearly dependent, as when an invariant space is exhausted, is rotated first, such
+  // that its columns are orthogonal; those that are nothing but rounding are replaced by random
+  // ones, which B multiplies by zero.
   Block_coefficients orthonormalize(Row_block& w)
   {
     constexpr int max_passes = 6;
@@ -226,8 +239,8 @@ private:
     throw Reeb_graph_error("the Lanczos vectors could not be made orthogonal");
   }
 
-  // With the Cholesky factorization `w^T w = R^T R`: `w = w R^-1`, `b = R b`. Returns the ratio of the
-  // smallest and the largest pivot; if it is less than `smallest_ratio`, nothing is changed.
+  // With the Cholesky factorization `w^T w = R^T R`: `w = w R^-1`, `b = R b`. Returns the ratio of
+  // the smallest and the largest pivot; if it is less than `smallest_ratio`, nothing is changed.
   static double
   divide_by_cholesky_factor(Row_block& w, Block_coefficients& b, double smallest_ratio)
   {
@@ -273,7 +286,8 @@ private:
     return m_projected.block<width, width>(width * i, width * j);
   }
 
-  // The eigenpairs of the projection of A on the processed part of the basis, with decreasing eigenvalues.
+  // The eigenpairs of the projection of A on the processed part of the basis, with decreasing
+  // eigenvalues.
   void compute_ritz_pairs()
   {
     const Eigen::Index size = width * m_processed;
@@ -296,6 +310,15 @@ private:
     return number;
   }
 
+  // How far the worst of the `number` largest eigenpairs is from its tolerance.
+  double largest_relative_coupling(Eigen::Index number) const
+  {
+    number = (std::min)(number, m_ritz_values.size());
+    return (m_ritz_couplings.leftCols(number).colwise().norm().transpose().array() /
+            (m_tolerance * m_ritz_values.head(number).array().abs()))
+        .maxCoeff();
+  }
+
   // Replaces the processed part of the basis by the first Ritz vectors, as many as fill `blocks`.
   void keep_largest(Eigen::Index blocks)
   {
@@ -315,13 +338,14 @@ private:
 
   // Whether no eigenvalue is missing among those found, which have all converged.
   //
-  // A Krylov space of b random vectors holds all vectors of an eigenspace of dimension up to b, with
-  // probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can there be more of them. Where that is so,
-  // the space orthogonal to what was kept is searched: the largest eigenvalue of A restricted to it is that of
-  // a missing vector, if there is one. From a block of random vectors, k steps make the component of the
-  // latter larger than all others by a Chebyshev polynomial of degree k, about
-  // `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the next eigenvalue to it. At the start the component
-  // of the best of eight random vectors of dimension n is less than `0.1 / sqrt(n)` with a probability of 1e-11.
+  // A Krylov space of b random vectors holds all vectors of an eigenspace of dimension up to b,
+  // with probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can
+  // there be more of them. Where that is so, the space orthogonal to what was kept is searched: the
+  // largest eigenvalue of A restricted to it is that of a missing vector, if there is one. From a
+  // block of random vectors, k steps make the component of the latter larger than all others by a
+  // Chebyshev polynomial of degree k, about `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the
+  // next eigenvalue to it. At the start the component of the best of eight random vectors of
+  // dimension n is less than `0.1 / sqrt(n)` with a probability of 1e-11.
   bool is_complete(Eigen::Index number)
   {
     constexpr double coincidence = 1e-6;

@@ -25,8 +25,8 @@ What a model of `LaplaceBeltramiEigensolver` is told beside its matrices.
 */
 struct Eigensolver_options
 {
-  /// the relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` that no eigenpair may exceed
-  /// (the caller verifies it)
+  /// the relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` that no eigenpair may
+  /// exceed (the caller verifies it)
   double residual_tolerance = 1e-8;
   /// seed of all random numbers: equal seeds give equal results
   std::uint64_t seed = 0;

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Eight vectors side by side: a row of them is one cache line, which every kernel below uses at once.
+// Eight vectors side by side: a row of them is one cache line, which every kernel below uses at
+// once.
 constexpr int block_width = 8;
 using Row_block = Eigen::Matrix<double, Eigen::Dynamic, block_width, Eigen::RowMajor>;
 using Block_coefficients = Eigen::Matrix<double, block_width, block_width, Eigen::RowMajor>;
@@ -109,8 +110,9 @@ inline void multiply_from_right(Row_block& w, const Block_coefficients& c)
   }
 }
 
-// A tall matrix `V` as a sequence of blocks. What walks it, walks rows that stay in the cache and within them all
-// blocks: Eigen's products of a tall matrix and a narrow one copy the tall one first.
+// A tall matrix `V` as a sequence of blocks. What walks it, walks rows that stay in the cache and
+// within them all blocks: Eigen's products of a tall matrix and a narrow one copy the tall one
+// first.
 class Block_basis
 {
 public:
@@ -174,7 +176,8 @@ public:
   }
 
 private:
-  // Calls `function` with rows of the product, and the number of the first one, until it has seen all.
+  // Calls `function` with rows of the product, and the number of the first one, until it has seen
+  // all.
   template <class Function>
   void for_products(const Eigen::MatrixXd& q, const Function& function) const
   {

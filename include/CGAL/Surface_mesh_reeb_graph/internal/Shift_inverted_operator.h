@@ -98,9 +98,9 @@ public:
     y = m_sqrt_mass.cwiseProduct(y);
   }
 
-  // An eigenvector y of A gives the eigenfunction `psi = M^-1/2 y`, which says nothing where M is zero. One
-  // more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out most of the
-  // error of y, which is in the directions that A makes small.
+  // An eigenvector y of A gives the eigenfunction `psi = M^-1/2 y`, which says nothing where M is
+  // zero. One more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere,
+  // and takes out most of the error of y, which is in the directions that A makes small.
   void to_eigenfunctions(Row_block& y)
   {
     y.array().colwise() *= m_sqrt_mass.array();
@@ -108,14 +108,15 @@ public:
   }
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
 
-  // Whether `number` of all eigenpairs are so many that a Krylov space, which needs room, and what is orthogonal to
-  // it leave no room: then all eigenpairs are computed.
+  // Whether `number` of all eigenpairs are so many that a Krylov space, which needs room, and what
+  // is orthogonal to it leave no room: then all eigenpairs are computed.
   bool is_small_for(Eigen::Index number) const
   {
     return 3 * number + 60 >= (m_sqrt_mass.array() > 0).count();
   }
 
-  // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense matrix.
+  // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense
+  // matrix.
   Eigenpairs dense_eigenpairs(Eigen::Index number)
   {
     Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
@@ -123,8 +124,9 @@ public:
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
     if (solver.info() != Eigen::Success)
       throw Reeb_graph_error("the dense eigensolver did not converge");
-    // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong to
-    // faces that are degenerate: those of a regular mesh of so few vertices differ by a thousand.
+    // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong
+    // to faces that are degenerate: those of a regular mesh of so few vertices differ by a
+    // thousand.
     constexpr double negligible = 1e-7;
     const double largest = solver.eigenvalues().maxCoeff();
     const Eigen::Index available = (solver.eigenvalues().array() > negligible * largest).count();
@@ -138,8 +140,8 @@ public:
     return result;
   }
 
-  // Calls `function` for eight columns of `matrix` after the other, as blocks that it changes; the last block is
-  // filled up with zeros.
+  // Calls `function` for eight columns of `matrix` after the other, as blocks that it changes; the
+  // last block is filled up with zeros.
   template <class Function>
   static void for_blocks_of_columns(Eigen::MatrixXd& matrix, const Function& function)
   {
