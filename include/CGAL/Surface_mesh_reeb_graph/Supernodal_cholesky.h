@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Front_factorization.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Panel_solver.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Supernodal_structure.h>
 
 #include <Eigen/Core>
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -151,7 +153,8 @@ public:
     Column_matrix full;
     full = a.template selfadjointView<UpLo>();
     Permutation inverse;
-    OrderingType()(full, inverse);
+    if (m_size > 0)
+      OrderingType()(full, inverse);
     std::vector<StorageIndex> position(static_cast<std::size_t>(m_size));
     for (Index i = 0; i < m_size; ++i) {
       // an empty permutation is Eigen's natural ordering
@@ -171,13 +174,11 @@ public:
   /// matrix is not positive definite.
   void factorize(const MatrixType& a)
   {
-    eigen_assert(m_analyzed && "analyzePattern() should be called first");
     m_factored = false;
     m_isInitialized = true;
-    if (!m_analyzed || a.rows() != m_size || a.cols() != m_size) {
-      m_info = Eigen::InvalidInput;
+    m_info = Eigen::InvalidInput;
+    if (!m_analyzed || a.rows() != m_size || a.cols() != m_size)
       return;
-    }
     Column_matrix permuted(m_size, m_size);
     permuted.template selfadjointView<Eigen::Lower>() =
         a.template selfadjointView<UpLo>().twistedBy(m_permutation);
@@ -262,7 +263,6 @@ public:
                                         Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& x) const
   {
     static_assert(Columns > 0, "the number of right-hand sides is fixed");
-    eigen_assert(m_factored && "there is no factorization");
     eigen_assert(x.rows() == m_size);
     if (!m_factored) {
       x.setZero();
@@ -280,16 +280,19 @@ public:
   template <class Rhs, class Dest>
   void _solve_impl(const Eigen::MatrixBase<Rhs>& b, Eigen::MatrixBase<Dest>& x) const
   {
+    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     eigen_assert(b.rows() == m_size);
     x.derived().resize(b.rows(), b.cols());
+    // evaluates what is no matrix in memory
+    const Eigen::Ref<const Matrix, 0, Eigen::OuterStride<>> rhs(b.derived());
     for (Index j = 0; j < b.cols();) {
       const Index remaining = b.cols() - j;
       if (remaining >= 5)
-        j += solve_columns<8>(b, j, x);
+        j += solve_columns<8>(rhs, j, x);
       else if (remaining >= 2)
-        j += solve_columns<4>(b, j, x);
+        j += solve_columns<4>(rhs, j, x);
       else
-        j += solve_columns<1>(b, j, x);
+        j += solve_columns<1>(rhs, j, x);
     }
   }
   /// \endcond
@@ -349,7 +352,8 @@ private:
       Scalar* const panel = m_factor.data() + m_structure.offset(s);
       Scalar* const square = work.square.data();
       std::fill_n(panel, width * (width + below), Scalar(0));
-      std::fill_n(square, below * below, Scalar(0));
+      for (Index j = 0; j < below; ++j)
+        std::fill_n(square + j + j * below, below - j, Scalar(0));
       number_rows(s, work.row_in_front);
       if (!add_matrix(a, s, work.row_in_front, panel))
         return Eigen::InvalidInput;
@@ -428,7 +432,6 @@ private:
   Index solve_columns(const Rhs& b, const Index j, Dest& x) const
   {
     const Index number = (std::min)(b.cols() - j, Index(Columns));
-    eigen_assert(m_factored && "there is no factorization");
     if (!m_factored) {
       x.middleCols(j, number).setZero();
       return number;
@@ -449,7 +452,7 @@ private:
   template <int Columns>
   void substitute(Scalar* x, Scalar* below) const
   {
-    using Row = Eigen::Map<Eigen::Matrix<Scalar, Columns, 1>>;
+    using Row = internal::Register_vector<Scalar, Columns>;
     const Index number = m_structure.number_of_supernodes();
     const auto panel = [this](const Index s) {
       return internal::Panel_solver<Scalar, Columns>(m_factor.data() + m_structure.offset(s),
@@ -459,14 +462,14 @@ private:
     const auto gather = [&](const Index s) {
       const StorageIndex* const rows = m_structure.rows_below(s);
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
-        Row(below + i * Columns) = Row(x + rows[i] * Index(Columns));
+        Row::load(x + rows[i] * Index(Columns)).store(below + i * Columns);
     };
     for (Index s = 0; s < number; ++s) {
       gather(s);
       panel(s).forward(x + m_structure.first_column(s) * Index(Columns), below);
       const StorageIndex* const rows = m_structure.rows_below(s);
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
-        Row(x + rows[i] * Index(Columns)) = Row(below + i * Columns);
+        Row::load(below + i * Columns).store(x + rows[i] * Index(Columns));
     }
     for (Index s = number - 1; s >= 0; --s) {
       gather(s);

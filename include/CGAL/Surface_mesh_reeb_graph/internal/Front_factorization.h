@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FRONT_FACTORIZATION_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FRONT_FACTORIZATION_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -28,9 +30,6 @@ class Front_factorization
 {
   using Index = Eigen::Index;
   static constexpr int block = 4;
-
-  template <int Rows>
-  using Column = Eigen::Matrix<Scalar, Rows, 1>;
 
 public:
   // Replaces the `width` columns of `panel`, whose first `width` rows are symmetric and stored in the lower
@@ -101,40 +100,69 @@ private:
     }
   }
 
-  template <int Rows>
-  static Column<Rows> load(const Scalar* x)
-  {
-    return Eigen::Map<const Column<Rows>>(x);
-  }
-  template <int Rows>
-  static void store(const Column<Rows>& x, Scalar* to)
-  {
-    Eigen::Map<Column<Rows>>{to} = x;
-  }
-
-  // The Rows x Columns block `a b^T`, which stays in registers.
+  // A block of up to 4 x 4 entries in registers.
   template <int Rows, int Columns>
-  struct Product
+  struct Tile
   {
-    Column<Rows> c0, c1, c2, c3;
+    using Column = Register_vector<Scalar, Rows>;
 
-    Product(const Scalar* a, const Scalar* b, const Index stride, const Index depth)
+    EIGEN_STRONG_INLINE Tile(const Scalar* a, const Index stride)
+      : c0(Column::load(a))
+      , c1(Column::load(a + (Columns > 1 ? stride : 0)))
+      , c2(Column::load(a + (Columns > 2 ? 2 * stride : 0)))
+      , c3(Column::load(a + (Columns > 3 ? 3 * stride : 0)))
+    {}
+
+    // Subtracts the product of `Rows` rows at `a` and the transposed `Columns` rows at `b`.
+    EIGEN_STRONG_INLINE void
+    subtract_product(const Scalar* a, const Scalar* b, const Index stride, const Index depth)
     {
-      c0.setZero();
-      c1.setZero();
-      c2.setZero();
-      c3.setZero();
       for (Index k = 0; k < depth; ++k, a += stride, b += stride) {
-        const Column<Rows> x = load<Rows>(a);
-        c0 += x * b[0];
-        if (Columns > 1)
-          c1 += x * b[1];
-        if (Columns > 2)
-          c2 += x * b[2];
-        if (Columns > 3)
-          c3 += x * b[3];
+        const Column x = Column::load(a);
+        c0.subtract(b[0], x);
+        if constexpr (Columns > 1)
+          c1.subtract(b[1], x);
+        if constexpr (Columns > 2)
+          c2.subtract(b[2], x);
+        if constexpr (Columns > 3)
+          c3.subtract(b[3], x);
       }
     }
+
+    // Multiplies by the inverse of the transposed lower triangle at `d`, whose diagonal is inverted in
+    // `inverse`.
+    EIGEN_STRONG_INLINE void solve(const Scalar* d, const Index stride, const Scalar* inverse)
+    {
+      c0.multiply(inverse[0]);
+      if constexpr (Columns > 1) {
+        c1.subtract(d[1], c0);
+        c1.multiply(inverse[1]);
+      }
+      if constexpr (Columns > 2) {
+        c2.subtract(d[2], c0);
+        c2.subtract(d[2 + stride], c1);
+        c2.multiply(inverse[2]);
+      }
+      if constexpr (Columns > 3) {
+        c3.subtract(d[3], c0);
+        c3.subtract(d[3 + stride], c1);
+        c3.subtract(d[3 + 2 * stride], c2);
+        c3.multiply(inverse[3]);
+      }
+    }
+
+    EIGEN_STRONG_INLINE void store(Scalar* a, const Index stride) const
+    {
+      c0.store(a);
+      if constexpr (Columns > 1)
+        c1.store(a + stride);
+      if constexpr (Columns > 2)
+        c2.store(a + 2 * stride);
+      if constexpr (Columns > 3)
+        c3.store(a + 3 * stride);
+    }
+
+    Column c0, c1, c2, c3;
   };
 
   template <int Rows, int Columns>
@@ -145,14 +173,9 @@ private:
                                Scalar* to,
                                const Index to_stride)
   {
-    const Product<Rows, Columns> p(a, b, stride, depth);
-    store<Rows>(load<Rows>(to) - p.c0, to);
-    if (Columns > 1)
-      store<Rows>(load<Rows>(to + to_stride) - p.c1, to + to_stride);
-    if (Columns > 2)
-      store<Rows>(load<Rows>(to + 2 * to_stride) - p.c2, to + 2 * to_stride);
-    if (Columns > 3)
-      store<Rows>(load<Rows>(to + 3 * to_stride) - p.c3, to + 3 * to_stride);
+    Tile<Rows, Columns> tile(to, to_stride);
+    tile.subtract_product(a, b, stride, depth);
+    tile.store(to, to_stride);
   }
 
   static bool
@@ -206,28 +229,10 @@ private:
                              const Scalar* d,
                              const Scalar* inverse)
   {
-    const Product<Rows, Columns> p(a, b, stride, depth);
-    Scalar* to = a + depth * stride;
-    const Column<Rows> x0 = (load<Rows>(to) - p.c0) * inverse[0];
-    store<Rows>(x0, to);
-    if constexpr (Columns > 1) {
-      to += stride;
-      const Column<Rows> x1 = (load<Rows>(to) - p.c1 - x0 * d[1]) * inverse[1];
-      store<Rows>(x1, to);
-      if constexpr (Columns > 2) {
-        to += stride;
-        const Column<Rows> x2 =
-            (load<Rows>(to) - p.c2 - x0 * d[2] - x1 * d[2 + stride]) * inverse[2];
-        store<Rows>(x2, to);
-        if constexpr (Columns > 3) {
-          to += stride;
-          const Column<Rows> x3 =
-              (load<Rows>(to) - p.c3 - x0 * d[3] - x1 * d[3 + stride] - x2 * d[3 + 2 * stride]) *
-              inverse[3];
-          store<Rows>(x3, to);
-        }
-      }
-    }
+    Tile<Rows, Columns> tile(a + depth * stride, stride);
+    tile.subtract_product(a, b, stride, depth);
+    tile.solve(d, stride, inverse);
+    tile.store(a + depth * stride, stride);
   }
 };
 

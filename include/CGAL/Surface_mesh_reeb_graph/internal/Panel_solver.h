@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PANEL_SOLVER_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PANEL_SOLVER_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
+
 #include <Eigen/Core>
 
 namespace CGAL {
@@ -22,7 +24,7 @@ template <class Scalar, int Columns>
 class Panel_solver
 {
   using Index = Eigen::Index;
-  using Row = Eigen::Matrix<Scalar, Columns, 1>;
+  using Row = Register_vector<Scalar, Columns>;
 
 public:
   Panel_solver(const Scalar* panel, const Index width, const Index below)
@@ -54,19 +56,20 @@ public:
 private:
   const Scalar* column(const Index j) const { return m_panel + j * m_rows; }
 
-  static Row load(const Scalar* x) { return Eigen::Map<const Row>(x); }
-  static void store(const Row& row, Scalar* x) { Eigen::Map<Row>{x} = row; }
-
   template <int Number>
   void forward_columns(const Index j, Scalar* x, Scalar* y) const
   {
     Scalar* const x_j = x + j * Columns;
     for (int k = 0; k < Number; ++k) {
       const Scalar* const l = column(j + k) + j;
-      const Row row = load(x_j + k * Columns) / l[k];
-      store(row, x_j + k * Columns);
-      for (int i = k + 1; i < Number; ++i)
-        store(load(x_j + i * Columns) - l[i] * row, x_j + i * Columns);
+      Row row = Row::load(x_j + k * Columns);
+      row.multiply(1 / l[k]);
+      row.store(x_j + k * Columns);
+      for (int i = k + 1; i < Number; ++i) {
+        Row next = Row::load(x_j + i * Columns);
+        next.subtract(l[i], row);
+        next.store(x_j + i * Columns);
+      }
     }
     const Scalar* const l = column(j);
     subtract<Number>(l + j + Number, m_width - j - Number, x_j, x_j + Number * Columns);
@@ -92,10 +95,15 @@ private:
       return;
     }
     for (Index i = 0; i < rows; ++i, ++l, to += Columns) {
-      Row row = load(to);
-      for (int k = 0; k < Number; ++k)
-        row -= l[k * m_rows] * load(x + k * Columns);
-      store(row, to);
+      Row row = Row::load(to);
+      row.subtract(l[0], Row::load(x));
+      if constexpr (Number > 1)
+        row.subtract(l[m_rows], Row::load(x + Columns));
+      if constexpr (Number > 2) {
+        row.subtract(l[2 * m_rows], Row::load(x + 2 * Columns));
+        row.subtract(l[3 * m_rows], Row::load(x + 3 * Columns));
+      }
+      row.store(to);
     }
   }
 
@@ -108,10 +116,11 @@ private:
     subtract_transposed<Number>(l + j + Number, m_width - j - Number, x_j + Number * Columns, x_j);
     for (int k = Number - 1; k >= 0; --k) {
       const Scalar* const l_k = column(j + k) + j;
-      Row row = load(x_j + k * Columns);
+      Row row = Row::load(x_j + k * Columns);
       for (int i = k + 1; i < Number; ++i)
-        row -= l_k[i] * load(x_j + i * Columns);
-      store(row / l_k[k], x_j + k * Columns);
+        row.subtract(l_k[i], Row::load(x_j + i * Columns));
+      row.multiply(1 / l_k[k]);
+      row.store(x_j + k * Columns);
     }
   }
 
@@ -126,17 +135,17 @@ private:
         to[k] -= Eigen::Map<const Vector>(l + k * m_rows, rows).dot(rhs);
       return;
     }
-    Row first = load(to);
-    Row last = load(to + (Number - 1) * Columns);
+    Row first = Row::load(to);
+    Row last = Row::load(to + (Number - 1) * Columns);
     for (Index i = 0; i < rows; ++i, ++l, y += Columns) {
-      const Row row = load(y);
-      first -= l[0] * row;
-      if (Number > 1)
-        last -= l[m_rows] * row;
+      const Row row = Row::load(y);
+      first.subtract(l[0], row);
+      if constexpr (Number > 1)
+        last.subtract(l[m_rows], row);
     }
-    store(first, to);
-    if (Number > 1)
-      store(last, to + Columns);
+    first.store(to);
+    if constexpr (Number > 1)
+      last.store(to + Columns);
   }
 
   const Scalar* m_panel;
