@@ -1,0 +1,447 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_BAND_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_BAND_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Critical_nodes.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Leaf_pruning.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Level_set_walk.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Sweep.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/component_merging.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/sorted_vertices.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Computes the Reeb graph of a surface without border on which the nodes below which there may be loops lie between two
+// levels: with a sweep from one to the other, and without any walk above and below.
+//
+// The band between the two levels is cut out of the surface. What is left has no loops, and its Reeb graph follows
+// from its merge forests (see Leaf_pruning): every component of the lower level set is a maximum there, and every one of
+// the upper level set a minimum. The sweep through the band begins with the former and ends with the latter, where the
+// arcs are put together.
+//
+// Two components of the lower (upper) level set never lie in the same component X of the sublevel set and in the same
+// component Y of the superlevel set: a node below (above) at which they part would be one that may have loops.
+// So they are named by pairs (X, Y), which the forests of the whole surface tell.
+//
+// Takes O(n) time for n vertices, and O(m log m) for m nodes, and vertices and crossed edges in the band.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
+class Level_band
+{
+  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using vertex_descriptor = typename Nodes::vertex_descriptor;
+  using halfedge_descriptor = typename Nodes::halfedge_descriptor;
+
+public:
+  // `may_have_loops` holds the nodes below which there may be loops, in increasing order, at least one.
+  Level_band(const TriangleMesh& tmesh,
+             const VertexOrder& order,
+             VertexIndexMap vertex_index_map,
+             std::size_t index_bound,
+             const Nodes& nodes,
+             const std::vector<std::uint32_t>& may_have_loops,
+             bool unfolds)
+    : m_tmesh(tmesh)
+    , m_order(order)
+    , m_vertex_index_map(vertex_index_map)
+    , m_index_bound(index_bound)
+    , m_nodes(nodes)
+    , m_first(may_have_loops.front())
+    , m_end(may_have_loops.back() + 1)
+    , m_unfolds(unfolds)
+  {
+    while (!nodes.is_first_of_vertex(m_first))
+      --m_first;
+    while (m_end < nodes.size() && !nodes.is_first_of_vertex(m_end))
+      ++m_end;
+  }
+
+  // Writes nodes and arcs. The forests are those of the whole surface. Returns false if there are more vertices in the
+  // band than that.
+  bool run(const Merge_forest& sublevel_forest,
+           const Merge_forest& superlevel_forest,
+           std::size_t largest_number_of_vertices,
+           Arc_list<TriangleMesh>& result)
+  {
+    std::vector<vertex_descriptor> vertices_of_band;
+    if (!find_vertices(largest_number_of_vertices, vertices_of_band))
+      return false;
+    cut_out(sublevel_forest, superlevel_forest);
+    const std::vector<Leaf_pruning::Arc> outer_arcs = find_outer_arcs();
+
+    const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(m_tmesh);
+    Reeb_graph_request request;
+    request.unfolds = m_unfolds;
+    request.has_vertex_arcs = false;
+    Sweep<TriangleMesh, VertexOrder, VertexIndexMap, std::decay_t<decltype(halfedge_index_map)>>
+        sweep(m_tmesh, m_order, m_vertex_index_map, m_index_bound, halfedge_index_map, request);
+    add_lower_components(sweep);
+    if (sweep.pass_vertices(vertices_of_band) != number_of_edges_around_band())
+      throw_several_fans();
+    write(outer_arcs, sweep, result);
+    return true;
+  }
+
+private:
+  // A way from a node through one of its wedges across a level. The component of the level set that is crossed lies in
+  // one component of the sublevel set and one of the superlevel set, which are named by their last nodes.
+  struct Way
+  {
+    std::uint32_t below, above;
+    std::uint32_t wedge;
+    std::uint32_t node;
+  };
+
+  // The nodes outside of the band in increasing order, with the components of the two level sets among them.
+  struct Outer_nodes
+  {
+    std::size_t size() const { return lower_begin.size() - 1; }
+
+    void end_node()
+    {
+      lower_begin.push_back(static_cast<std::uint32_t>(lower_end.size()));
+      upper_begin.push_back(static_cast<std::uint32_t>(upper_end.size()));
+    }
+
+    std::vector<std::uint32_t> lower_begin = {0}, upper_begin = {0};
+    std::vector<std::uint32_t> lower_end, upper_end;
+  };
+
+  // ---- the two levels
+
+  bool is_below_band(vertex_descriptor v) const { return m_order(v, m_nodes.vertex[m_first]); }
+  bool is_above_band(vertex_descriptor v) const { return m_order(m_nodes.vertex[m_end - 1], v); }
+
+  bool find_vertices(std::size_t largest_number, std::vector<vertex_descriptor>& result) const
+  {
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh))) {
+      if (is_below_band(v) || is_above_band(v))
+        continue;
+      if (result.size() == largest_number)
+        return false;
+      result.push_back(v);
+    }
+    sort_vertices<ConcurrencyTag>(result, m_order);
+    return true;
+  }
+
+  // Counted by the halfedges that point to the vertices: a circulation would not see all of them if the faces around
+  // a vertex form several fans.
+  std::size_t number_of_edges_around_band() const
+  {
+    std::size_t result = 0;
+    for (const halfedge_descriptor h : CGAL::make_range(halfedges(m_tmesh))) {
+      const vertex_descriptor v = target(h, m_tmesh);
+      if (!is_below_band(v) && !is_above_band(v))
+        ++result;
+    }
+    return result;
+  }
+
+  // For every node below `end` the last one that lies there in its component of the sublevel set.
+  static std::vector<std::uint32_t> last_nodes_below(std::uint32_t end, const Merge_forest& forest)
+  {
+    std::vector<std::uint32_t> result(end);
+    for (std::uint32_t node = end; node-- > 0;) {
+      const std::uint32_t parent = forest.parent(node);
+      result[node] = parent < end ? result[parent] : node;
+    }
+    return result;
+  }
+
+  // For every node from `begin` on the last one that lies there, on the way down, in its component of the superlevel
+  // set. The elements before it mean nothing.
+  std::vector<std::uint32_t> last_nodes_above(std::uint32_t begin, const Merge_forest& forest) const
+  {
+    std::vector<std::uint32_t> result(m_nodes.size());
+    for (std::uint32_t node = begin; node < m_nodes.size(); ++node) {
+      const std::uint32_t parent = forest.parent(node);
+      result[node] = parent != no_node && parent >= begin ? result[parent] : node;
+    }
+    return result;
+  }
+
+  // Returns a way for every component of the level set, and tells every wedge the number of its component.
+  template <class SetComponent>
+  static std::vector<Way> components(std::vector<Way>& ways, const SetComponent& set_component)
+  {
+    std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
+      return std::tie(a.below, a.above, a.wedge) < std::tie(b.below, b.above, b.wedge);
+    });
+    std::vector<Way> result;
+    for (const Way& way : ways) {
+      if (result.empty() || result.back().below != way.below || result.back().above != way.above)
+        result.push_back(way);
+      set_component(way.wedge, static_cast<std::uint32_t>(result.size() - 1));
+    }
+    return result;
+  }
+
+  // Numbers of components for all upper wedges of the nodes below the band that lead into it, or across it.
+  std::vector<std::uint32_t>
+  find_lower_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
+  {
+    const std::vector<std::uint32_t> last_below = last_nodes_below(m_first, sublevel_forest);
+    const std::vector<std::uint32_t> last_above = last_nodes_above(m_first, superlevel_forest);
+    std::vector<Way> ways;
+    for (std::uint32_t node = 0; node < m_first; ++node)
+      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
+        if (m_nodes.upper_end[w] >= m_first)
+          ways.push_back({last_below[node], last_above[m_nodes.upper_end[w]], w, node});
+    std::vector<std::uint32_t> result(m_nodes.upper_begin[m_first], no_node);
+    m_lower_components =
+        components(ways, [&](std::uint32_t wedge, std::uint32_t i) { result[wedge] = i; });
+    return result;
+  }
+
+  // The same for the lower wedges of the nodes above the band.
+  std::vector<std::uint32_t>
+  find_upper_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
+  {
+    const std::vector<std::uint32_t> last_below = last_nodes_below(m_end, sublevel_forest);
+    const std::vector<std::uint32_t> last_above = last_nodes_above(m_end, superlevel_forest);
+    std::vector<Way> ways;
+    for (std::uint32_t node = m_end; node < m_nodes.size(); ++node)
+      for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
+        if (m_nodes.lower_end[w] < m_end)
+          ways.push_back({last_below[m_nodes.lower_end[w]], last_above[node], w, node});
+    std::vector<std::uint32_t> result(m_nodes.lower_end.size(), no_node);
+    m_upper_components =
+        components(ways, [&](std::uint32_t wedge, std::uint32_t i) { result[wedge] = i; });
+    return result;
+  }
+
+  // ---- the surface outside of the band
+
+  std::uint32_t number_of_lower_components() const
+  {
+    return static_cast<std::uint32_t>(m_lower_components.size());
+  }
+
+  std::uint32_t number_of_upper_components() const
+  {
+    return static_cast<std::uint32_t>(m_upper_components.size());
+  }
+
+  // The numbers among the outer nodes.
+  std::uint32_t outer_lower_component(std::uint32_t i) const { return m_first + i; }
+  std::uint32_t outer_upper_component(std::uint32_t i) const
+  {
+    return m_first + number_of_lower_components() + i;
+  }
+  std::uint32_t outer_node_above(std::uint32_t node) const
+  {
+    return outer_upper_component(number_of_upper_components()) + (node - m_end);
+  }
+
+  // Makes the outer nodes.
+  void cut_out(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
+  {
+    const auto lower_component = find_lower_components(sublevel_forest, superlevel_forest);
+    const auto upper_component = find_upper_components(sublevel_forest, superlevel_forest);
+    for (std::uint32_t node = 0; node < m_first; ++node) {
+      for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
+        m_outer.lower_end.push_back(m_nodes.lower_end[w]);
+      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
+        m_outer.upper_end.push_back(lower_component[w] == no_node
+                                        ? m_nodes.upper_end[w]
+                                        : outer_lower_component(lower_component[w]));
+      m_outer.end_node();
+    }
+    for (const Way& way : m_lower_components) {
+      m_outer.lower_end.push_back(way.node);
+      m_outer.end_node();
+    }
+    for (const Way& way : m_upper_components) {
+      m_outer.upper_end.push_back(outer_node_above(way.node));
+      m_outer.end_node();
+    }
+    for (std::uint32_t node = m_end; node < m_nodes.size(); ++node) {
+      for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
+        m_outer.lower_end.push_back(upper_component[w] == no_node
+                                        ? outer_node_above(m_nodes.lower_end[w])
+                                        : outer_upper_component(upper_component[w]));
+      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
+        m_outer.upper_end.push_back(outer_node_above(m_nodes.upper_end[w]));
+      m_outer.end_node();
+    }
+  }
+
+  std::vector<Leaf_pruning::Arc> find_outer_arcs()
+  {
+    std::vector<std::uint32_t> sequence(m_outer.size());
+    std::iota(sequence.begin(), sequence.end(), 0);
+    Merge_forest sublevel_forest, superlevel_forest;
+    invoke_both<ConcurrencyTag>(
+        [&]() { merge_sublevel_sets(m_outer, sequence, sublevel_forest); },
+        [&]() { merge_superlevel_sets(m_outer, sequence, superlevel_forest); });
+    m_is_regular.reserve(m_outer.size());
+    m_number_above.reserve(m_outer.size());
+    for (const std::uint32_t node : sequence) {
+      m_number_above.push_back(superlevel_forest.degree(node));
+      m_is_regular.push_back(sublevel_forest.degree(node) == 1 && m_number_above.back() == 1);
+    }
+    Leaf_pruning pruning(sublevel_forest, superlevel_forest);
+    pruning.run(sequence, [&](std::uint32_t node) { return m_is_regular[node]; });
+    return std::move(pruning.arcs);
+  }
+
+  // ---- the sweep through the band
+
+  // The edge at which the monotone path through a wedge crosses a level, first found as an end of Monotone_paths: the
+  // same way around the vertices leads there, so it meets no node. `is_beyond(v)` tells whether a vertex lies beyond the
+  // level, and `leads_on(u, v)` whether `v` is on the side of `u` that the path goes to.
+  template <class IsBeyond, class LeadsOn>
+  halfedge_descriptor
+  crossed_edge(halfedge_descriptor h, const IsBeyond& is_beyond, const LeadsOn& leads_on) const
+  {
+    for (vertex_descriptor v = source(h, m_tmesh); !is_beyond(v); v = source(h, m_tmesh))
+      for (h = halfedge(v, m_tmesh); !leads_on(v, source(h, m_tmesh));)
+        h = opposite(next(h, m_tmesh), m_tmesh);
+    return h;
+  }
+
+  template <class Sweep>
+  void add_lower_components(Sweep& sweep) const
+  {
+    const auto is_above = [this](vertex_descriptor v) { return !is_below_band(v); };
+    std::vector<halfedge_descriptor> edges;
+    for (const Way& way : m_lower_components) {
+      const halfedge_descriptor first = opposite(
+          crossed_edge(m_nodes.upper_halfedge[way.wedge],
+                       is_above,
+                       [this](vertex_descriptor u, vertex_descriptor v) { return m_order(u, v); }),
+          m_tmesh);
+      edges.clear();
+      Level_set_walk<TriangleMesh> walk(first, true);
+      do {
+        edges.push_back(walk.halfedge());
+        walk.step(m_tmesh, is_above);
+      } while (walk.halfedge() != first);
+      sweep.add_component(edges);
+    }
+  }
+
+  // The node above the band that every arc of the sweep leads to, or the node of the sweep at which it ends.
+  template <class Sweep>
+  std::vector<std::uint32_t> upper_ends(const std::vector<Leaf_pruning::Arc>& outer_arcs,
+                                        const std::vector<std::uint32_t>& number,
+                                        std::uint32_t first_number,
+                                        Sweep& sweep) const
+  {
+    std::vector<std::uint32_t> result;
+    result.reserve(sweep.result().arcs.size());
+    for (const Arc_ends& arc : sweep.result().arcs)
+      result.push_back(arc.upper == no_node ? no_node : first_number + arc.upper);
+    for (const Leaf_pruning::Arc& arc : outer_arcs) {
+      if (!is_upper_component(arc.lower))
+        continue;
+      const Way& way = m_upper_components[arc.lower - outer_upper_component(0)];
+      std::uint32_t& upper = result[sweep.arc(crossed_edge(
+          m_nodes.lower_halfedge[way.wedge],
+          [this](vertex_descriptor v) { return !is_above_band(v); },
+          [this](vertex_descriptor u, vertex_descriptor v) { return m_order(v, u); }))];
+      if (upper != no_node)
+        throw_several_fans();
+      upper = number[arc.upper];
+    }
+    if (std::find(result.begin(), result.end(), no_node) != result.end())
+      throw_several_fans();
+    return result;
+  }
+
+  // ---- the result
+
+  bool is_lower_component(std::uint32_t outer_node) const
+  {
+    return outer_node >= m_first && outer_node < outer_upper_component(0);
+  }
+
+  bool is_upper_component(std::uint32_t outer_node) const
+  {
+    return outer_node >= outer_upper_component(0) && outer_node < outer_node_above(m_end);
+  }
+
+  template <class Sweep>
+  void write(const std::vector<Leaf_pruning::Arc>& outer_arcs,
+             Sweep& sweep,
+             Arc_list<TriangleMesh>& result) const
+  {
+    const Arc_list<TriangleMesh>& inner = sweep.result();
+    std::vector<std::uint32_t> number(m_outer.size(), no_node), first_arc(m_outer.size(), no_arc);
+    std::uint32_t number_of_arcs = 0;
+    const auto add_node = [&](std::uint32_t outer_node, std::uint32_t node) {
+      if (m_is_regular[outer_node])
+        return;
+      number[outer_node] = static_cast<std::uint32_t>(result.nodes.size());
+      result.nodes.push_back(m_nodes.vertex[node]);
+      first_arc[outer_node] = number_of_arcs;
+      number_of_arcs += m_number_above[outer_node];
+    };
+    for (std::uint32_t node = 0; node < m_first; ++node)
+      add_node(node, node);
+    const std::uint32_t first_inner_number = static_cast<std::uint32_t>(result.nodes.size());
+    result.nodes.insert(result.nodes.end(), inner.nodes.begin(), inner.nodes.end());
+    const std::uint32_t first_inner_arc = number_of_arcs;
+    number_of_arcs += static_cast<std::uint32_t>(inner.arcs.size()) - number_of_lower_components();
+    for (std::uint32_t node = m_end; node < m_nodes.size(); ++node)
+      add_node(outer_node_above(node), node);
+
+    const std::vector<std::uint32_t> upper_end =
+        upper_ends(outer_arcs, number, first_inner_number, sweep);
+    result.arcs.resize(number_of_arcs);
+    for (const Leaf_pruning::Arc& arc : outer_arcs)
+      if (!is_upper_component(arc.lower))
+        result.arcs[first_arc[arc.lower] + arc.position] = {
+            number[arc.lower],
+            is_lower_component(arc.upper) ? upper_end[arc.upper - m_first] : number[arc.upper]};
+    for (std::uint32_t a = number_of_lower_components(); a < inner.arcs.size(); ++a)
+      result.arcs[first_inner_arc + a - number_of_lower_components()] = {
+          first_inner_number + inner.arcs[a].lower, upper_end[a]};
+  }
+
+  const TriangleMesh& m_tmesh;
+  const VertexOrder& m_order;
+  VertexIndexMap m_vertex_index_map;
+  const std::size_t m_index_bound;
+  const Nodes& m_nodes;
+  std::uint32_t m_first, m_end; // the nodes in the band
+  const bool m_unfolds;
+  std::vector<Way> m_lower_components, m_upper_components; // of the two level sets
+  Outer_nodes m_outer;
+  std::vector<bool> m_is_regular;            // of the outer nodes
+  std::vector<std::uint32_t> m_number_above; // of their arcs
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LEVEL_BAND_H
