@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Sweep.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/component_merging.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/in_turn.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/sorted_vertices.h>
 
@@ -124,6 +125,14 @@ private:
   {
     std::size_t size() const { return lower_begin.size() - 1; }
 
+    void reserve(std::size_t nodes, std::size_t lower_wedges, std::size_t upper_wedges)
+    {
+      lower_begin.reserve(nodes + 1);
+      upper_begin.reserve(nodes + 1);
+      lower_end.reserve(lower_wedges);
+      upper_end.reserve(upper_wedges);
+    }
+
     void end_node()
     {
       lower_begin.push_back(static_cast<std::uint32_t>(lower_end.size()));
@@ -188,13 +197,26 @@ private:
     return result;
   }
 
+  // Counting sort by numbers below the number of nodes; keeps the order of equal ones.
+  template <class Number>
+  void sort_by(std::vector<Way>& ways, const Number& number) const
+  {
+    std::vector<std::uint32_t> begin(m_nodes.size() + 1, 0);
+    for (const Way& way : ways)
+      ++begin[number(way) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Way> sorted(ways.size());
+    for (const Way& way : ways)
+      sorted[begin[number(way)]++] = way;
+    ways = std::move(sorted);
+  }
+
   // Returns a way for every component of the level set, and tells every wedge the number of its component.
   template <class SetComponent>
-  static std::vector<Way> components(std::vector<Way>& ways, const SetComponent& set_component)
+  std::vector<Way> components(std::vector<Way>& ways, const SetComponent& set_component) const
   {
-    std::sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) {
-      return std::tie(a.below, a.above, a.wedge) < std::tie(b.below, b.above, b.wedge);
-    });
+    sort_by(ways, [](const Way& way) { return way.above; });
+    sort_by(ways, [](const Way& way) { return way.below; });
     std::vector<Way> result;
     for (const Way& way : ways) {
       if (result.empty() || result.back().below != way.below || result.back().above != way.above)
@@ -266,6 +288,9 @@ private:
   {
     const auto lower_component = find_lower_components(sublevel_forest, superlevel_forest);
     const auto upper_component = find_upper_components(sublevel_forest, superlevel_forest);
+    m_outer.reserve(m_nodes.size() + m_lower_components.size() + m_upper_components.size(),
+                    m_nodes.lower_end.size() + m_lower_components.size(),
+                    m_nodes.upper_end.size() + m_upper_components.size());
     for (std::uint32_t node = 0; node < m_first; ++node) {
       for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
         m_outer.lower_end.push_back(m_nodes.lower_end[w]);
@@ -315,38 +340,114 @@ private:
 
   // ---- the sweep through the band
 
-  // The edge at which the monotone path through a wedge crosses a level, first found as an end of Monotone_paths: the
-  // same way around the vertices leads there, so it meets no node. `is_beyond(v)` tells whether a vertex lies beyond the
-  // level, and `leads_on(u, v)` whether `v` is on the side of `u` that the path goes to.
-  template <class IsBeyond, class LeadsOn>
-  halfedge_descriptor
-  crossed_edge(halfedge_descriptor h, const IsBeyond& is_beyond, const LeadsOn& leads_on) const
+  // On the way to a component of a level set, and along it: the path through a wedge that was first found as one of
+  // Monotone_paths crosses the level at an edge. It goes around the vertices the same way, so it meets no node.
+  struct Task
   {
-    for (vertex_descriptor v = source(h, m_tmesh); !is_beyond(v); v = source(h, m_tmesh))
-      for (h = halfedge(v, m_tmesh); !leads_on(v, source(h, m_tmesh));)
-        h = opposite(next(h, m_tmesh), m_tmesh);
-    return h;
+    std::uint32_t component;
+    bool is_on_path;
+    vertex_descriptor vertex; // of the path
+    halfedge_descriptor
+        edge; // of the path, points to the vertex; later the one that crosses the level, upwards
+    Level_set_walk<TriangleMesh> walk = Level_set_walk<TriangleMesh>(halfedge_descriptor(), true);
+    bool has_upper_end_in_band;
+    std::vector<halfedge_descriptor> edges;
+  };
+
+  // Calls `cross_level(task)` for every component, when the path through its wedge has arrived at the level on that side;
+  // then `step(task)` until that returns false.
+  template <class IsBeyond, class CrossLevel, class Step>
+  void for_each_component(Side side,
+                          const std::vector<Way>& components,
+                          const IsBeyond& is_beyond,
+                          const CrossLevel& cross_level,
+                          const Step& step) const
+  {
+    std::vector<Task> tasks((std::min)(components.size(), number_of_tasks_in_turn));
+    std::uint32_t next_component = 0;
+    in_turn(
+        tasks,
+        [&](Task& task) {
+          if (next_component == components.size())
+            return false;
+          const Way& way = components[next_component];
+          task.component = next_component++;
+          task.is_on_path = true;
+          task.vertex = m_nodes.vertex[way.node];
+          task.edge = (side == ABOVE ? m_nodes.upper_halfedge : m_nodes.lower_halfedge)[way.wedge];
+          return true;
+        },
+        [&](Task& task) {
+          if (!task.is_on_path)
+            return step(task);
+          const vertex_descriptor v = source(task.edge, m_tmesh);
+          const bool is_on_side = side == ABOVE ? m_order(task.vertex, v) : m_order(v, task.vertex);
+          if (!is_on_side) {
+            task.edge = opposite(next(task.edge, m_tmesh), m_tmesh);
+          } else if (!is_beyond(v)) {
+            task.vertex = v;
+            task.edge = halfedge(v, m_tmesh);
+          } else {
+            task.is_on_path = false;
+            if (side == ABOVE)
+              task.edge = opposite(task.edge, m_tmesh);
+            task.walk = Level_set_walk<TriangleMesh>(task.edge, true);
+            cross_level(task);
+          }
+          return true;
+        });
   }
 
   template <class Sweep>
-  void add_lower_components(Sweep& sweep) const
+  void add_lower_components(Sweep& sweep)
   {
+    m_arc_of_lower_component.resize(m_lower_components.size());
     const auto is_above = [this](vertex_descriptor v) { return !is_below_band(v); };
-    std::vector<halfedge_descriptor> edges;
-    for (const Way& way : m_lower_components) {
-      const halfedge_descriptor first = opposite(
-          crossed_edge(m_nodes.upper_halfedge[way.wedge],
-                       is_above,
-                       [this](vertex_descriptor u, vertex_descriptor v) { return m_order(u, v); }),
-          m_tmesh);
-      edges.clear();
-      Level_set_walk<TriangleMesh> walk(first, true);
-      do {
-        edges.push_back(walk.halfedge());
-        walk.step(m_tmesh, is_above);
-      } while (walk.halfedge() != first);
-      sweep.add_component(edges);
-    }
+    for_each_component(
+        ABOVE,
+        m_lower_components,
+        is_above,
+        [&](Task& task) {
+          task.edges.clear();
+          task.has_upper_end_in_band = !is_above_band(target(task.edge, m_tmesh));
+        },
+        [&](Task& task) {
+          if (task.has_upper_end_in_band)
+            task.edges.push_back(task.walk.halfedge());
+          const vertex_descriptor v = task.walk.step(m_tmesh, is_above);
+          if (is_above(v))
+            task.has_upper_end_in_band = !is_above_band(v);
+          if (task.walk.halfedge() != task.edge)
+            return true;
+          if (task.edges.empty()) // the component crosses the band unchanged
+            task.edges.push_back(task.edge);
+          m_arc_of_lower_component[task.component] = sweep.add_component(task.edges);
+          return false;
+        });
+  }
+
+  // The arcs of the sweep that the components of the upper level set belong to.
+  template <class Sweep>
+  std::vector<std::uint32_t> arcs_of_upper_components(Sweep& sweep) const
+  {
+    std::vector<std::uint32_t> result(m_upper_components.size());
+    const auto is_above = [this](vertex_descriptor v) { return is_above_band(v); };
+    for_each_component(
+        BELOW,
+        m_upper_components,
+        [&](vertex_descriptor v) { return !is_above(v); },
+        [](const Task&) {},
+        [&](Task& task) {
+          if (sweep.is_known(task.walk.halfedge())) {
+            result[task.component] = sweep.arc(task.walk.halfedge());
+            return false;
+          }
+          task.walk.step(m_tmesh, is_above);
+          if (task.walk.halfedge() == task.edge)
+            throw_several_fans();
+          return true;
+        });
+    return result;
   }
 
   // The node above the band that every arc of the sweep leads to, or the node of the sweep at which it ends.
@@ -360,14 +461,11 @@ private:
     result.reserve(sweep.result().arcs.size());
     for (const Arc_ends& arc : sweep.result().arcs)
       result.push_back(arc.upper == no_node ? no_node : first_number + arc.upper);
+    const std::vector<std::uint32_t> arc_of_upper_component = arcs_of_upper_components(sweep);
     for (const Leaf_pruning::Arc& arc : outer_arcs) {
       if (!is_upper_component(arc.lower))
         continue;
-      const Way& way = m_upper_components[arc.lower - outer_upper_component(0)];
-      std::uint32_t& upper = result[sweep.arc(crossed_edge(
-          m_nodes.lower_halfedge[way.wedge],
-          [this](vertex_descriptor v) { return !is_above_band(v); },
-          [this](vertex_descriptor u, vertex_descriptor v) { return m_order(v, u); }))];
+      std::uint32_t& upper = result[arc_of_upper_component[arc.lower - outer_upper_component(0)]];
       if (upper != no_node)
         throw_several_fans();
       upper = number[arc.upper];
@@ -421,7 +519,8 @@ private:
       if (!is_upper_component(arc.lower))
         result.arcs[first_arc[arc.lower] + arc.position] = {
             number[arc.lower],
-            is_lower_component(arc.upper) ? upper_end[arc.upper - m_first] : number[arc.upper]};
+            is_lower_component(arc.upper) ? upper_end[m_arc_of_lower_component[arc.upper - m_first]]
+                                          : number[arc.upper]};
     for (std::uint32_t a = number_of_lower_components(); a < inner.arcs.size(); ++a)
       result.arcs[first_inner_arc + a - number_of_lower_components()] = {
           first_inner_number + inner.arcs[a].lower, upper_end[a]};
@@ -435,6 +534,7 @@ private:
   std::uint32_t m_first, m_end; // the nodes in the band
   const bool m_unfolds;
   std::vector<Way> m_lower_components, m_upper_components; // of the two level sets
+  std::vector<std::uint32_t> m_arc_of_lower_component;     // in the sweep
   Outer_nodes m_outer;
   std::vector<bool> m_is_regular;            // of the outer nodes
   std::vector<std::uint32_t> m_number_above; // of their arcs

@@ -87,18 +87,19 @@ public:
     return std::move(m_result);
   }
 
-  // Adds a closed component that comes from below all vertices that are swept, by the edges that it crosses: halfedges
-  // that point upwards, in the order of a forward walk. Its arc has the next number, and no lower end.
-  void add_component(const std::vector<halfedge_descriptor>& edges)
+  // Adds a closed component that comes from below all vertices that are swept, by edges that it crosses, in the order
+  // of a forward walk: one at least, and all those whose upper ends are swept. Returns the number of its arc.
+  std::uint32_t add_component(const std::vector<halfedge_descriptor>& edges)
   {
-    std::uint32_t next =
-        m_level_sets.add_component(edges.size(), static_cast<std::uint32_t>(m_result.arcs.size()));
+    const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
     m_result.arcs.push_back({no_node, no_node});
+    std::uint32_t next = m_level_sets.add_component(edges.size(), arc);
     for (const halfedge_descriptor h : edges) {
-      if (element(h) != Sequences::none)
+      if (is_known(h))
         throw_several_fans();
       element(h) = next++;
     }
+    return arc;
   }
 
   // Lets the level rise past vertices, given in increasing order. Returns how many edges there are around them,
@@ -127,7 +128,14 @@ public:
     return number_of_star_edges;
   }
 
-  // The arc of the component that crosses an edge at the level that has been reached.
+  // Whether an edge has been added, or reached from its lower end. Not all that are crossed have, if the sweep began with
+  // some of them.
+  bool is_known(halfedge_descriptor h) const
+  {
+    return m_element[m_edge_numbers(h)] != Sequences::none;
+  }
+
+  // The arc of the component that crosses a known edge at the level that has been reached.
   std::uint32_t arc(halfedge_descriptor h) { return m_level_sets.arc(element_of_lower_edge(h)); }
 
   // What has been found so far; a node or an arc that is added later has a higher number.
