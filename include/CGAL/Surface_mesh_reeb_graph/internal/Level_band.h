@@ -340,110 +340,146 @@ private:
 
   // ---- the sweep through the band
 
-  // On the way to a component of a level set, and along it: the path through a wedge that was first found as one of
-  // Monotone_paths crosses the level at an edge. It goes around the vertices the same way, so it meets no node.
-  struct Task
+  // Follows the path through the wedge of every component up or down to the level that the component lies in, and finds the
+  // edges that cross the level there, as halfedges that point upwards. Such a path was first found as one of
+  // Monotone_paths: it goes around the vertices the same way, so it meets no node.
+  template <class IsBeyond>
+  std::vector<halfedge_descriptor>
+  crossed_edges(Side side, const std::vector<Way>& components, const IsBeyond& is_beyond) const
   {
-    std::uint32_t component;
-    bool is_on_path;
-    vertex_descriptor vertex; // of the path
-    halfedge_descriptor
-        edge; // of the path, points to the vertex; later the one that crosses the level, upwards
-    Level_set_walk<TriangleMesh> walk = Level_set_walk<TriangleMesh>(halfedge_descriptor(), true);
-    bool has_upper_end_in_band;
-    std::vector<halfedge_descriptor> edges;
-  };
-
-  // Calls `cross_level(task)` for every component, when the path through its wedge has arrived at the level on that side;
-  // then `step(task)` until that returns false.
-  template <class IsBeyond, class CrossLevel, class Step>
-  void for_each_component(Side side,
-                          const std::vector<Way>& components,
-                          const IsBeyond& is_beyond,
-                          const CrossLevel& cross_level,
-                          const Step& step) const
-  {
-    std::vector<Task> tasks((std::min)(components.size(), number_of_tasks_in_turn));
-    std::uint32_t next_component = 0;
+    struct Path
+    {
+      std::size_t component;
+      vertex_descriptor vertex;
+      halfedge_descriptor edge; // the next one to be looked at, points to the vertex
+      // what is read before the look
+      vertex_descriptor neighbor;
+      halfedge_descriptor next_edge;
+      bool is_neighbor_on_side, is_neighbor_beyond;
+    };
+    const auto& halfedge_of_wedge = side == ABOVE ? m_nodes.upper_halfedge : m_nodes.lower_halfedge;
+    std::vector<halfedge_descriptor> result(components.size());
+    std::vector<Path> paths((std::min)(components.size(), number_of_tasks_in_turn));
+    std::size_t next_component = 0;
     in_turn(
-        tasks,
-        [&](Task& task) {
+        paths,
+        [&](Path& path) {
           if (next_component == components.size())
             return false;
-          const Way& way = components[next_component];
-          task.component = next_component++;
-          task.is_on_path = true;
-          task.vertex = m_nodes.vertex[way.node];
-          task.edge = (side == ABOVE ? m_nodes.upper_halfedge : m_nodes.lower_halfedge)[way.wedge];
+          path.component = next_component;
+          path.vertex = m_nodes.vertex[components[next_component].node];
+          path.edge = halfedge_of_wedge[components[next_component].wedge];
+          ++next_component;
           return true;
         },
-        [&](Task& task) {
-          if (!task.is_on_path)
-            return step(task);
-          const vertex_descriptor v = source(task.edge, m_tmesh);
-          const bool is_on_side = side == ABOVE ? m_order(task.vertex, v) : m_order(v, task.vertex);
-          if (!is_on_side) {
-            task.edge = opposite(next(task.edge, m_tmesh), m_tmesh);
-          } else if (!is_beyond(v)) {
-            task.vertex = v;
-            task.edge = halfedge(v, m_tmesh);
+        [&](Path& path) {
+          if (!path.is_neighbor_on_side) {
+            path.edge = path.next_edge;
+          } else if (!path.is_neighbor_beyond) {
+            path.vertex = path.neighbor;
+            path.edge = halfedge(path.vertex, m_tmesh);
           } else {
-            task.is_on_path = false;
-            if (side == ABOVE)
-              task.edge = opposite(task.edge, m_tmesh);
-            task.walk = Level_set_walk<TriangleMesh>(task.edge, true);
-            cross_level(task);
+            result[path.component] = side == ABOVE ? opposite(path.edge, m_tmesh) : path.edge;
+            return false;
           }
           return true;
+        },
+        [&](Path& path) {
+          path.neighbor = source(path.edge, m_tmesh);
+          path.next_edge = opposite(next(path.edge, m_tmesh), m_tmesh);
+        },
+        [&](Path& path) {
+          path.is_neighbor_on_side = side == ABOVE ? m_order(path.vertex, path.neighbor)
+                                                   : m_order(path.neighbor, path.vertex);
+          path.is_neighbor_beyond = is_beyond(path.neighbor);
         });
+    return result;
   }
 
+  // Adds the components of the lower level set, all edges of which are walked along.
   template <class Sweep>
   void add_lower_components(Sweep& sweep)
   {
-    m_arc_of_lower_component.resize(m_lower_components.size());
-    const auto is_above = [this](vertex_descriptor v) { return !is_below_band(v); };
-    for_each_component(
-        ABOVE,
-        m_lower_components,
-        is_above,
+    struct Task
+    {
+      std::size_t component;
+      Level_set_walk<TriangleMesh> walk = Level_set_walk<TriangleMesh>(halfedge_descriptor(), true);
+      bool has_upper_end_in_band;
+      std::vector<halfedge_descriptor> edges;
+      // what is read before a step
+      halfedge_descriptor next_edge;
+      vertex_descriptor vertex;
+      bool is_above, is_in_band;
+    };
+    const std::vector<halfedge_descriptor> first = crossed_edges(
+        ABOVE, m_lower_components, [this](vertex_descriptor v) { return !is_below_band(v); });
+    m_arc_of_lower_component.resize(first.size());
+    std::vector<Task> tasks((std::min)(first.size(), number_of_tasks_in_turn));
+    std::size_t next_component = 0;
+    in_turn(
+        tasks,
         [&](Task& task) {
+          if (next_component == first.size())
+            return false;
+          task.component = next_component++;
+          task.walk = Level_set_walk<TriangleMesh>(first[task.component], true);
           task.edges.clear();
-          task.has_upper_end_in_band = !is_above_band(target(task.edge, m_tmesh));
+          task.has_upper_end_in_band = !is_above_band(target(first[task.component], m_tmesh));
+          return true;
         },
         [&](Task& task) {
           if (task.has_upper_end_in_band)
             task.edges.push_back(task.walk.halfedge());
-          const vertex_descriptor v = task.walk.step(m_tmesh, is_above);
-          if (is_above(v))
-            task.has_upper_end_in_band = !is_above_band(v);
-          if (task.walk.halfedge() != task.edge)
+          task.walk.turn(task.next_edge, task.is_above, m_tmesh);
+          if (task.is_above)
+            task.has_upper_end_in_band = task.is_in_band;
+          if (task.walk.halfedge() != first[task.component])
             return true;
           if (task.edges.empty()) // the component crosses the band unchanged
-            task.edges.push_back(task.edge);
+            task.edges.push_back(task.walk.halfedge());
           m_arc_of_lower_component[task.component] = sweep.add_component(task.edges);
           return false;
+        },
+        [&](Task& task) { task.next_edge = task.walk.next_edge(m_tmesh); },
+        [&](Task& task) { task.vertex = target(task.next_edge, m_tmesh); },
+        [&](Task& task) {
+          task.is_above = !is_below_band(task.vertex);
+          task.is_in_band = !is_above_band(task.vertex);
         });
   }
 
-  // The arcs of the sweep that the components of the upper level set belong to.
+  // The arcs of the sweep that the components of the upper level set belong to. Each is walked along up to an edge that
+  // the sweep knows.
   template <class Sweep>
   std::vector<std::uint32_t> arcs_of_upper_components(Sweep& sweep) const
   {
-    std::vector<std::uint32_t> result(m_upper_components.size());
+    struct Task
+    {
+      std::size_t component;
+      Level_set_walk<TriangleMesh> walk = Level_set_walk<TriangleMesh>(halfedge_descriptor(), true);
+    };
     const auto is_above = [this](vertex_descriptor v) { return is_above_band(v); };
-    for_each_component(
-        BELOW,
-        m_upper_components,
-        [&](vertex_descriptor v) { return !is_above(v); },
-        [](const Task&) {},
+    const std::vector<halfedge_descriptor> first =
+        crossed_edges(BELOW, m_upper_components, [&](vertex_descriptor v) { return !is_above(v); });
+    std::vector<std::uint32_t> result(first.size());
+    std::vector<Task> tasks((std::min)(first.size(), number_of_tasks_in_turn));
+    std::size_t next_component = 0;
+    in_turn(
+        tasks,
+        [&](Task& task) {
+          if (next_component == first.size())
+            return false;
+          task.component = next_component++;
+          task.walk = Level_set_walk<TriangleMesh>(first[task.component], true);
+          return true;
+        },
         [&](Task& task) {
           if (sweep.is_known(task.walk.halfedge())) {
             result[task.component] = sweep.arc(task.walk.halfedge());
             return false;
           }
           task.walk.step(m_tmesh, is_above);
-          if (task.walk.halfedge() == task.edge)
+          if (task.walk.halfedge() == first[task.component])
             throw_several_fans();
           return true;
         });

@@ -48,12 +48,21 @@ public:
   template <class IsAbove>
   vertex_descriptor step(const TriangleMesh& tmesh, const IsAbove& is_above)
   {
-    const halfedge_descriptor n = next(m_halfedge, tmesh);
+    const halfedge_descriptor n = next_edge(tmesh);
     const vertex_descriptor v = target(n, tmesh);
-    const std::array<halfedge_descriptor, 2> ways = {n, next(n, tmesh)};
-    const bool stays_at_lower_vertex = is_above(v);
-    m_halfedge = opposite(ways[stays_at_lower_vertex == m_is_forward ? 1 : 0], tmesh);
+    turn(n, is_above(v), tmesh);
     return v;
+  }
+
+  // The step in parts, between which other walks can take theirs. The edge of the triangle to be crossed that points to
+  // its third vertex:
+  halfedge_descriptor next_edge(const TriangleMesh& tmesh) const { return next(m_halfedge, tmesh); }
+
+  // Crosses the triangle; `is_above` tells the side of its third vertex.
+  void turn(halfedge_descriptor next_edge, bool is_above, const TriangleMesh& tmesh)
+  {
+    const std::array<halfedge_descriptor, 2> ways = {next_edge, next(next_edge, tmesh)};
+    m_halfedge = opposite(ways[is_above == m_is_forward ? 1 : 0], tmesh);
   }
 
 private:
