@@ -130,10 +130,10 @@ public:
     return true;
   }
 
-  // What is known when `run()` has returned false.
+  // What is known when `run()` has returned false: the nodes, and their forests without any cut.
   const Nodes& nodes() const { return m_nodes; }
-  const Merge_forest& sublevel_forest() const { return m_sublevel_forest; }
-  const Merge_forest& superlevel_forest() const { return m_superlevel_forest; }
+  Merge_forest& sublevel_forest() { return m_sublevel_forest; }
+  Merge_forest& superlevel_forest() { return m_superlevel_forest; }
   // The nodes below which there may be loops, in increasing order.
   const std::vector<std::uint32_t>& may_have_loops() const { return m_may_have_loops; }
 

@@ -84,10 +84,10 @@ public:
       ++m_end;
   }
 
-  // Writes nodes and arcs. The forests are those of the whole surface. Returns false if there are more vertices in the
-  // band than that.
-  bool run(const Merge_forest& sublevel_forest,
-           const Merge_forest& superlevel_forest,
+  // Writes nodes and arcs. The forests are those of the whole surface, and are changed. Returns false if there are more
+  // vertices in the band than that.
+  bool run(Merge_forest& sublevel_forest,
+           Merge_forest& superlevel_forest,
            std::size_t largest_number_of_vertices,
            Arc_list<TriangleMesh>& result)
   {
@@ -95,7 +95,8 @@ public:
     if (!find_vertices(largest_number_of_vertices, vertices_of_band))
       return false;
     cut_out(sublevel_forest, superlevel_forest);
-    const std::vector<Leaf_pruning::Arc> outer_arcs = find_outer_arcs();
+    const std::vector<Leaf_pruning::Arc> outer_arcs =
+        find_outer_arcs(sublevel_forest, superlevel_forest);
 
     const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(m_tmesh);
     Reeb_graph_request request;
@@ -118,29 +119,6 @@ private:
     std::uint32_t below, above;
     std::uint32_t wedge;
     std::uint32_t node;
-  };
-
-  // The nodes outside of the band in increasing order, with the components of the two level sets among them.
-  struct Outer_nodes
-  {
-    std::size_t size() const { return lower_begin.size() - 1; }
-
-    void reserve(std::size_t nodes, std::size_t lower_wedges, std::size_t upper_wedges)
-    {
-      lower_begin.reserve(nodes + 1);
-      upper_begin.reserve(nodes + 1);
-      lower_end.reserve(lower_wedges);
-      upper_end.reserve(upper_wedges);
-    }
-
-    void end_node()
-    {
-      lower_begin.push_back(static_cast<std::uint32_t>(lower_end.size()));
-      upper_begin.push_back(static_cast<std::uint32_t>(upper_end.size()));
-    }
-
-    std::vector<std::uint32_t> lower_begin = {0}, upper_begin = {0};
-    std::vector<std::uint32_t> lower_end, upper_end;
   };
 
   // ---- the two levels
@@ -226,115 +204,138 @@ private:
     return result;
   }
 
-  // Numbers of components for all upper wedges of the nodes below the band that lead into it, or across it.
+  // Finds the components of the lower level set. Returns the ends of the upper wedges of the nodes below the band: those
+  // that lead into it, or across, end at a component.
   std::vector<std::uint32_t>
   find_lower_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
   {
     const std::vector<std::uint32_t> last_below = last_nodes_below(m_first, sublevel_forest);
     const std::vector<std::uint32_t> last_above = last_nodes_above(m_first, superlevel_forest);
+    std::vector<std::uint32_t> ends(m_nodes.upper_end.begin(),
+                                    m_nodes.upper_end.begin() + m_nodes.upper_begin[m_first]);
     std::vector<Way> ways;
     for (std::uint32_t node = 0; node < m_first; ++node)
       for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
-        if (m_nodes.upper_end[w] >= m_first)
-          ways.push_back({last_below[node], last_above[m_nodes.upper_end[w]], w, node});
-    std::vector<std::uint32_t> result(m_nodes.upper_begin[m_first], no_node);
-    m_lower_components =
-        components(ways, [&](std::uint32_t wedge, std::uint32_t i) { result[wedge] = i; });
-    return result;
+        if (ends[w] >= m_first)
+          ways.push_back({last_below[node], last_above[ends[w]], w, node});
+    m_lower_components = components(
+        ways, [&](std::uint32_t wedge, std::uint32_t i) { ends[wedge] = lower_component(i); });
+    return ends;
   }
 
-  // The same for the lower wedges of the nodes above the band.
+  // The same for the upper level set, and the lower wedges of the nodes above the band; the first elements mean
+  // nothing. To be called after `find_lower_components()`.
   std::vector<std::uint32_t>
   find_upper_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
   {
     const std::vector<std::uint32_t> last_below = last_nodes_below(m_end, sublevel_forest);
     const std::vector<std::uint32_t> last_above = last_nodes_above(m_end, superlevel_forest);
+    std::vector<std::uint32_t> ends = m_nodes.lower_end;
     std::vector<Way> ways;
     for (std::uint32_t node = m_end; node < m_nodes.size(); ++node)
       for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
-        if (m_nodes.lower_end[w] < m_end)
-          ways.push_back({last_below[m_nodes.lower_end[w]], last_above[node], w, node});
-    std::vector<std::uint32_t> result(m_nodes.lower_end.size(), no_node);
-    m_upper_components =
-        components(ways, [&](std::uint32_t wedge, std::uint32_t i) { result[wedge] = i; });
-    return result;
+        if (ends[w] < m_end)
+          ways.push_back({last_below[ends[w]], last_above[node], w, node});
+    m_upper_components = components(
+        ways, [&](std::uint32_t wedge, std::uint32_t i) { ends[wedge] = upper_component(i); });
+    return ends;
   }
 
   // ---- the surface outside of the band
 
-  std::uint32_t number_of_lower_components() const
+  // The components of the two level sets as nodes, with numbers beyond those of all nodes.
+  std::uint32_t lower_component(std::size_t i) const
   {
-    return static_cast<std::uint32_t>(m_lower_components.size());
+    return static_cast<std::uint32_t>(m_nodes.size() + i);
   }
+  std::uint32_t upper_component(std::size_t i) const
+  {
+    return lower_component(m_lower_components.size() + i);
+  }
+  bool is_lower_component(std::uint32_t node) const
+  {
+    return node >= m_nodes.size() && node < upper_component(0);
+  }
+  bool is_upper_component(std::uint32_t node) const { return node >= upper_component(0); }
 
-  std::uint32_t number_of_upper_components() const
+  // Turns the forests of the whole surface into those of the surface outside of the band. That of sublevel sets stays
+  // as it is below the band, and the components of the lower level set follow: where several of them bound one component
+  // of the sublevel set, one after the other. Above the band all begins anew. The other forest alike.
+  void cut_out(Merge_forest& sublevel_forest, Merge_forest& superlevel_forest)
   {
-    return static_cast<std::uint32_t>(m_upper_components.size());
-  }
+    const std::vector<std::uint32_t> upper_end =
+        find_lower_components(sublevel_forest, superlevel_forest);
+    const std::vector<std::uint32_t> lower_end =
+        find_upper_components(sublevel_forest, superlevel_forest);
+    for (std::uint32_t node = 0; node < m_first; ++node)
+      m_sequence.push_back(node);
+    for (std::size_t i = 0; i < m_lower_components.size(); ++i)
+      m_sequence.push_back(lower_component(i));
+    const std::ptrdiff_t number_below_band = static_cast<std::ptrdiff_t>(m_sequence.size());
+    for (std::size_t i = 0; i < m_upper_components.size(); ++i)
+      m_sequence.push_back(upper_component(i));
+    for (std::uint32_t node = m_end; node < m_nodes.size(); ++node)
+      m_sequence.push_back(node);
 
-  // The numbers among the outer nodes.
-  std::uint32_t outer_lower_component(std::uint32_t i) const { return m_first + i; }
-  std::uint32_t outer_upper_component(std::uint32_t i) const
-  {
-    return m_first + number_of_lower_components() + i;
-  }
-  std::uint32_t outer_node_above(std::uint32_t node) const
-  {
-    return outer_upper_component(number_of_upper_components()) + (node - m_end);
-  }
-
-  // Makes the outer nodes.
-  void cut_out(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
-  {
-    const auto lower_component = find_lower_components(sublevel_forest, superlevel_forest);
-    const auto upper_component = find_upper_components(sublevel_forest, superlevel_forest);
-    m_outer.reserve(m_nodes.size() + m_lower_components.size() + m_upper_components.size(),
-                    m_nodes.lower_end.size() + m_lower_components.size(),
-                    m_nodes.upper_end.size() + m_upper_components.size());
-    for (std::uint32_t node = 0; node < m_first; ++node) {
-      for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
-        m_outer.lower_end.push_back(m_nodes.lower_end[w]);
-      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
-        m_outer.upper_end.push_back(lower_component[w] == no_node
-                                        ? m_nodes.upper_end[w]
-                                        : outer_lower_component(lower_component[w]));
-      m_outer.end_node();
+    const std::size_t number_of_names = upper_component(m_upper_components.size());
+    sublevel_forest.resize(number_of_names);
+    superlevel_forest.resize(number_of_names);
+    sublevel_forest.clear(m_first, m_nodes.size());
+    superlevel_forest.clear(0, m_end);
+    std::vector<std::uint32_t> last(m_nodes.size());
+    std::iota(last.begin(), last.end(), 0);
+    for (std::size_t i = 0; i < m_lower_components.size(); ++i) {
+      std::uint32_t& below = last[m_lower_components[i].below];
+      sublevel_forest.attach(below, lower_component(i));
+      below = lower_component(i);
     }
-    for (const Way& way : m_lower_components) {
-      m_outer.lower_end.push_back(way.node);
-      m_outer.end_node();
+    for (std::size_t i = m_upper_components.size(); i-- > 0;) {
+      std::uint32_t& above = last[m_upper_components[i].above];
+      superlevel_forest.attach(above, upper_component(i));
+      above = upper_component(i);
     }
-    for (const Way& way : m_upper_components) {
-      m_outer.upper_end.push_back(outer_node_above(way.node));
-      m_outer.end_node();
-    }
-    for (std::uint32_t node = m_end; node < m_nodes.size(); ++node) {
-      for (std::uint32_t w = m_nodes.lower_begin[node]; w < m_nodes.lower_begin[node + 1]; ++w)
-        m_outer.lower_end.push_back(upper_component[w] == no_node
-                                        ? outer_node_above(m_nodes.lower_end[w])
-                                        : outer_upper_component(upper_component[w]));
-      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
-        m_outer.upper_end.push_back(outer_node_above(m_nodes.upper_end[w]));
-      m_outer.end_node();
-    }
-  }
-
-  std::vector<Leaf_pruning::Arc> find_outer_arcs()
-  {
-    std::vector<std::uint32_t> sequence(m_outer.size());
-    std::iota(sequence.begin(), sequence.end(), 0);
-    Merge_forest sublevel_forest, superlevel_forest;
     invoke_both<ConcurrencyTag>(
-        [&]() { merge_sublevel_sets(m_outer, sequence, sublevel_forest); },
-        [&]() { merge_superlevel_sets(m_outer, sequence, superlevel_forest); });
-    m_is_regular.reserve(m_outer.size());
-    m_number_above.reserve(m_outer.size());
-    for (const std::uint32_t node : sequence) {
-      m_number_above.push_back(superlevel_forest.degree(node));
-      m_is_regular.push_back(sublevel_forest.degree(node) == 1 && m_number_above.back() == 1);
+        [&]() {
+          merge_components(m_sequence.begin() + number_below_band,
+                           m_sequence.end(),
+                           m_nodes.lower_begin,
+                           lower_end,
+                           sublevel_forest,
+                           Ignore_components());
+        },
+        [&]() {
+          merge_components(m_sequence.rend() - number_below_band,
+                           m_sequence.rend(),
+                           m_nodes.upper_begin,
+                           upper_end,
+                           superlevel_forest,
+                           Ignore_components());
+        });
+  }
+
+  // Whether the parent of a node outside of the band is a node on the other side of the near level.
+  bool is_cut_off(std::uint32_t node, const Merge_forest& forest) const
+  {
+    const std::uint32_t parent = forest.parent(node);
+    return parent < m_nodes.size() && (node < m_first ? parent >= m_first : parent < m_end);
+  }
+
+  std::vector<Leaf_pruning::Arc>
+  find_outer_arcs(Merge_forest& sublevel_forest, Merge_forest& superlevel_forest)
+  {
+    m_is_regular.resize(sublevel_forest.size());
+    m_number_above.resize(m_nodes.size());
+    for (const std::uint32_t node : m_sequence) {
+      m_is_regular[node] = sublevel_forest.degree(node) == 1 && superlevel_forest.degree(node) == 1;
+      if (node >= m_nodes.size())
+        continue;
+      m_number_above[node] = superlevel_forest.degree(node);
+      // a path from the parent has crossed the level, but none from the node's component has
+      if (is_cut_off(node, node < m_first ? sublevel_forest : superlevel_forest))
+        throw_several_fans();
     }
     Leaf_pruning pruning(sublevel_forest, superlevel_forest);
-    pruning.run(sequence, [&](std::uint32_t node) { return m_is_regular[node]; });
+    pruning.run(m_sequence, [&](std::uint32_t node) { return m_is_regular[node]; });
     return std::move(pruning.arcs);
   }
 
@@ -501,7 +502,7 @@ private:
     for (const Leaf_pruning::Arc& arc : outer_arcs) {
       if (!is_upper_component(arc.lower))
         continue;
-      std::uint32_t& upper = result[arc_of_upper_component[arc.lower - outer_upper_component(0)]];
+      std::uint32_t& upper = result[arc_of_upper_component[arc.lower - upper_component(0)]];
       if (upper != no_node)
         throw_several_fans();
       upper = number[arc.upper];
@@ -513,52 +514,48 @@ private:
 
   // ---- the result
 
-  bool is_lower_component(std::uint32_t outer_node) const
-  {
-    return outer_node >= m_first && outer_node < outer_upper_component(0);
-  }
-
-  bool is_upper_component(std::uint32_t outer_node) const
-  {
-    return outer_node >= outer_upper_component(0) && outer_node < outer_node_above(m_end);
-  }
-
   template <class Sweep>
   void write(const std::vector<Leaf_pruning::Arc>& outer_arcs,
              Sweep& sweep,
              Arc_list<TriangleMesh>& result) const
   {
     const Arc_list<TriangleMesh>& inner = sweep.result();
-    std::vector<std::uint32_t> number(m_outer.size(), no_node), first_arc(m_outer.size(), no_arc);
+    const std::uint32_t number_of_lower_components =
+        static_cast<std::uint32_t>(m_lower_components.size());
+    std::vector<std::uint32_t> number(m_nodes.size(), no_node), first_arc(m_nodes.size(), no_arc);
     std::uint32_t number_of_arcs = 0;
-    const auto add_node = [&](std::uint32_t outer_node, std::uint32_t node) {
-      if (m_is_regular[outer_node])
+    const auto add_outer_node = [&](std::uint32_t node) {
+      if (m_is_regular[node])
         return;
-      number[outer_node] = static_cast<std::uint32_t>(result.nodes.size());
+      number[node] = static_cast<std::uint32_t>(result.nodes.size());
       result.nodes.push_back(m_nodes.vertex[node]);
-      first_arc[outer_node] = number_of_arcs;
-      number_of_arcs += m_number_above[outer_node];
+      first_arc[node] = number_of_arcs;
+      number_of_arcs += m_number_above[node];
     };
     for (std::uint32_t node = 0; node < m_first; ++node)
-      add_node(node, node);
+      add_outer_node(node);
     const std::uint32_t first_inner_number = static_cast<std::uint32_t>(result.nodes.size());
     result.nodes.insert(result.nodes.end(), inner.nodes.begin(), inner.nodes.end());
+    // the first arcs of the sweep are those that begin below it
     const std::uint32_t first_inner_arc = number_of_arcs;
-    number_of_arcs += static_cast<std::uint32_t>(inner.arcs.size()) - number_of_lower_components();
+    number_of_arcs += static_cast<std::uint32_t>(inner.arcs.size()) - number_of_lower_components;
     for (std::uint32_t node = m_end; node < m_nodes.size(); ++node)
-      add_node(outer_node_above(node), node);
+      add_outer_node(node);
 
     const std::vector<std::uint32_t> upper_end =
         upper_ends(outer_arcs, number, first_inner_number, sweep);
     result.arcs.resize(number_of_arcs);
-    for (const Leaf_pruning::Arc& arc : outer_arcs)
-      if (!is_upper_component(arc.lower))
-        result.arcs[first_arc[arc.lower] + arc.position] = {
-            number[arc.lower],
-            is_lower_component(arc.upper) ? upper_end[m_arc_of_lower_component[arc.upper - m_first]]
-                                          : number[arc.upper]};
-    for (std::uint32_t a = number_of_lower_components(); a < inner.arcs.size(); ++a)
-      result.arcs[first_inner_arc + a - number_of_lower_components()] = {
+    for (const Leaf_pruning::Arc& arc : outer_arcs) {
+      if (is_upper_component(arc.lower))
+        continue;
+      const std::uint32_t upper =
+          is_lower_component(arc.upper)
+              ? upper_end[m_arc_of_lower_component[arc.upper - lower_component(0)]]
+              : number[arc.upper];
+      result.arcs[first_arc[arc.lower] + arc.position] = {number[arc.lower], upper};
+    }
+    for (std::uint32_t a = number_of_lower_components; a < inner.arcs.size(); ++a)
+      result.arcs[first_inner_arc + a - number_of_lower_components] = {
           first_inner_number + inner.arcs[a].lower, upper_end[a]};
   }
 
@@ -571,9 +568,9 @@ private:
   const bool m_unfolds;
   std::vector<Way> m_lower_components, m_upper_components; // of the two level sets
   std::vector<std::uint32_t> m_arc_of_lower_component;     // in the sweep
-  Outer_nodes m_outer;
-  std::vector<bool> m_is_regular;            // of the outer nodes
-  std::vector<std::uint32_t> m_number_above; // of their arcs
+  std::vector<std::uint32_t> m_sequence;     // the nodes outside of the band, and these components
+  std::vector<bool> m_is_regular;            // of these
+  std::vector<std::uint32_t> m_number_above; // of arcs, by node
 };
 
 } // namespace internal

@@ -26,10 +26,11 @@ struct Ignore_components
   void operator()(std::uint32_t, std::uint32_t) const {}
 };
 
-// Makes a forest: visits the nodes in the given order and merges the components that their wedges lead to, which are
-// told by nodes in them, the ends of the wedges. The sequence may hold more names than there are nodes: those of leaves,
-// which are components of their own. Calls `set_component(wedge, node)` for every wedge with the last node of
-// its component, the child that the component has in the forest.
+// Adds to a forest, which has room for all names and knows nothing of these nodes yet: visits the nodes in the given order
+// and merges the components that their wedges lead to, which are told by nodes in them, the ends of the wedges. The
+// sequence may hold more names than there are nodes: those of leaves, which are components of their own. Calls
+// `set_component(wedge, node)` for every wedge with the last node of its component, the child that the component has in
+// the forest.
 template <class Iterator, class SetComponent>
 void merge_components(Iterator begin,
                       Iterator end,
@@ -38,10 +39,8 @@ void merge_components(Iterator begin,
                       Merge_forest& forest,
                       const SetComponent& set_component)
 {
-  const std::size_t number_of_names = static_cast<std::size_t>(end - begin);
   const std::size_t number_of_nodes = wedge_begin.size() - 1;
-  forest.clear(number_of_names);
-  Number_sets sets(number_of_names); // the last node visited is the root
+  Number_sets sets(forest.size()); // the last node visited is the root
   std::vector<std::uint32_t> components;
   for (Iterator i = begin; i != end; ++i) {
     const std::uint32_t node = *i;
@@ -67,6 +66,7 @@ void merge_sublevel_sets(const Nodes& nodes,
                          const std::vector<std::uint32_t>& sequence,
                          Merge_forest& forest)
 {
+  forest.clear(sequence.size());
   merge_components(sequence.begin(),
                    sequence.end(),
                    nodes.lower_begin,
@@ -82,6 +82,7 @@ void merge_superlevel_sets(const Nodes& nodes,
                            Merge_forest& forest,
                            const SetComponent& set_component = SetComponent())
 {
+  forest.clear(sequence.size());
   merge_components(sequence.rbegin(),
                    sequence.rend(),
                    nodes.upper_begin,
