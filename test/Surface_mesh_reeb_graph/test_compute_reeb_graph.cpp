@@ -71,27 +71,47 @@ void check_algorithms(Case& c, const bool unfolds)
 
 using Band = std::pair<std::uint32_t, std::uint32_t>; // the first and the last of its nodes
 
-// What Level_band gives, compared with the sweep, down to the numbers of the arcs. `choose_band(may_have_loops, n)` gets
-// the nodes below which there may be loops, and the number of all nodes; the band must hold the former. Returns
-// whether there was a band at all.
+// A function as the algorithms see it.
+struct Ordered_case
+{
+  using Indices = std::decay_t<decltype(get(boost::vertex_index, std::declval<const Mesh&>()))>;
+  using Order = SMRG::Vertex_order<Mesh, Value_map, Indices>;
+
+  Ordered_case(const Case& c, const bool unfolds)
+    : mesh(c.mesh)
+    , indices(get(boost::vertex_index, c.mesh))
+    , order(c.mesh, c.values, indices)
+    , size(c.mesh.number_of_vertices())
+    , states(size)
+  {
+    states.classify<CGAL::Sequential_tag>(mesh, indices, [this](Vertex v) { return order.key(v); });
+    request.unfolds = unfolds;
+    request.has_vertex_arcs = false;
+  }
+
+  const Mesh& mesh;
+  Indices indices;
+  Order order;
+  std::size_t size;
+  SMRG::internal::Vertex_states states;
+  SMRG::internal::Reeb_graph_request request;
+};
+
+// Computes the arcs with a sweep through a band of levels. `choose_band(may_have_loops, n)` gets the nodes below which
+// there may be loops, and the number of all nodes; the band must hold the former. Returns false if there is no band.
 template <class Choose_band>
-bool check_level_band(const Case& c, const bool unfolds, const Choose_band& choose_band)
+bool compute_with_band(const Ordered_case& c,
+                       const Choose_band& choose_band,
+                       SMRG::internal::Arc_list<Mesh>& result)
 {
   using namespace SMRG::internal;
-  const auto indices = get(boost::vertex_index, c.mesh);
-  using VIM = std::decay_t<decltype(indices)>;
-  using Order = SMRG::Vertex_order<Mesh, Value_map, VIM>;
-  const Order order(c.mesh, c.values, indices);
-  const std::size_t n = c.mesh.number_of_vertices();
-  Vertex_states states(n);
-  states.classify<CGAL::Sequential_tag>(c.mesh, indices, [&](Vertex v) { return order.key(v); });
-  Reeb_graph_request request;
-  request.unfolds = unfolds;
-  request.has_vertex_arcs = false;
-  Arc_list<Mesh> result;
-  Cutting<Tag, Mesh, Order, VIM> cutting(c.mesh, order, indices, n, states, request);
-  cutting.run(0, result);
-  if (states.has_border() || cutting.nodes().size() == 0)
+  using Order = Ordered_case::Order;
+  using Indices = Ordered_case::Indices;
+  Arc_list<Mesh> without_band;
+  Cutting<Tag, Mesh, Order, Indices> cutting(
+      c.mesh, c.order, c.indices, c.size, c.states, c.request);
+  cutting.run(0, without_band);
+  if (c.states.has_border() || cutting.nodes().size() == 0)
     return false;
   const Band band = choose_band(cutting.may_have_loops(), cutting.nodes().size());
   if (band.second < band.first)
@@ -102,13 +122,34 @@ bool check_level_band(const Case& c, const bool unfolds, const Choose_band& choo
   Merge_forest sublevel_forest, superlevel_forest;
   merge_sublevel_sets(cutting.nodes(), sequence, sublevel_forest);
   merge_superlevel_sets(cutting.nodes(), sequence, superlevel_forest);
-  Level_band<Tag, Mesh, Order, VIM> level_band(
-      c.mesh, order, indices, n, cutting.nodes(), {band.first, band.second}, unfolds);
-  result = Arc_list<Mesh>();
+  Level_band<Tag, Mesh, Order, Indices> level_band(c.mesh,
+                                                   c.order,
+                                                   c.indices,
+                                                   c.size,
+                                                   cutting.nodes(),
+                                                   {band.first, band.second},
+                                                   c.request.unfolds);
   BOOST_TEST(!level_band.run(sublevel_forest, superlevel_forest, 0, result));
-  BOOST_REQUIRE(level_band.run(sublevel_forest, superlevel_forest, n, result));
-  const Arc_list<Mesh> sweep = arc_list<CGAL::Sequential_tag>(
-      c.mesh, order, indices, n, states, request, SMRG::Reeb_graph_algorithm::SWEEP);
+  BOOST_REQUIRE(level_band.run(sublevel_forest, superlevel_forest, c.size, result));
+  return true;
+}
+
+// Compares with the sweep, down to the numbers of the arcs. Returns whether there was a band.
+template <class Choose_band>
+bool check_level_band(const Case& c, const bool unfolds, const Choose_band& choose_band)
+{
+  const Ordered_case ordered(c, unfolds);
+  SMRG::internal::Arc_list<Mesh> result;
+  if (!compute_with_band(ordered, choose_band, result))
+    return false;
+  const auto sweep =
+      SMRG::internal::arc_list<CGAL::Sequential_tag>(ordered.mesh,
+                                                     ordered.order,
+                                                     ordered.indices,
+                                                     ordered.size,
+                                                     ordered.states,
+                                                     ordered.request,
+                                                     SMRG::Reeb_graph_algorithm::SWEEP);
   BOOST_TEST((result.nodes == sweep.nodes));
   BOOST_REQUIRE(result.arcs.size() == sweep.arcs.size());
   for (std::size_t i = 0; i < sweep.arcs.size(); ++i) {
@@ -122,6 +163,18 @@ bool check_level_band(const Case& c, const bool unfolds, const Choose_band& choo
 Band narrowest_band(const std::vector<std::uint32_t>& may_have_loops, std::size_t)
 {
   return may_have_loops.empty() ? Band(1, 0) : Band(may_have_loops.front(), may_have_loops.back());
+}
+
+// Any band that is wide enough.
+Band random_band(const std::vector<std::uint32_t>& may_have_loops,
+                 const std::size_t number_of_nodes,
+                 std::mt19937& rng)
+{
+  const std::size_t any = random_index(number_of_nodes, rng);
+  const std::size_t first = may_have_loops.empty() ? any : may_have_loops.front();
+  const std::size_t last = may_have_loops.empty() ? any : may_have_loops.back();
+  return Band(static_cast<std::uint32_t>(random_index(first + 1, rng)),
+              static_cast<std::uint32_t>(last + random_index(number_of_nodes - last, rng)));
 }
 
 Graph reeb_graph(Case& c)
@@ -566,17 +619,58 @@ BOOST_AUTO_TEST_CASE(sweep_through_a_band_gives_the_whole_graph)
           return Band(0, static_cast<std::uint32_t>(number - 1));
         });
         check([&](const auto& may_have_loops, std::size_t number) {
-          const std::uint32_t any = static_cast<std::uint32_t>(random_index(number, rng));
-          const std::uint32_t first = may_have_loops.empty() ? any : may_have_loops.front();
-          const std::uint32_t last = may_have_loops.empty() ? any : may_have_loops.back();
-          return Band(static_cast<std::uint32_t>(random_index(first + 1, rng)),
-                      static_cast<std::uint32_t>(last + random_index(number - last, rng)));
+          return random_band(may_have_loops, number, rng);
         });
       }
     }
   }
   BOOST_TEST(bands > 0u);
   BOOST_TEST(narrow_bands > 0u);
+}
+
+// Two closed surfaces that share a vertex, which leads to the faces of one of them only: an error if that changes
+// anything, wherever the vertex lies.
+BOOST_AUTO_TEST_CASE(level_band_never_gives_a_wrong_graph_where_there_are_several_fans)
+{
+  unsigned errors = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      Index_mesh mesh = closed_surface(1 + seed % 2, 4, 4);
+      const std::size_t n = mesh.points.size();
+      append(mesh, sphere(seed % 3), 10);
+      Case c(mesh, random_values(mesh.points.size(), rng));
+      std::vector<Mesh::Halfedge_index> star;
+      for (const auto h :
+           c.mesh.halfedges_around_target(c.mesh.halfedge(Vertex(static_cast<Mesh::size_type>(n)))))
+        star.push_back(h);
+      for (const auto h : star)
+        c.mesh.set_target(h, Vertex(0));
+      c.mesh.set_halfedge(Vertex(static_cast<Mesh::size_type>(n)), Mesh::null_halfedge());
+      SMRG::internal::Arc_list<Mesh> result;
+      try {
+        compute_with_band(
+            Ordered_case(c, false),
+            [&](const auto& may_have_loops, std::size_t number) {
+              return random_band(may_have_loops, number, rng);
+            },
+            result);
+      } catch (const SMRG::Reeb_graph_error&) {
+        ++errors;
+        continue;
+      }
+      for (auto& triangle : mesh.triangles)
+        for (std::size_t& v : triangle)
+          v = v == n ? 0 : v;
+      const Brute_force_reeb_graph oracle = brute_force_reeb_graph(mesh, rank_of(c));
+      BOOST_TEST(result.arcs.size() == oracle.arcs.size());
+      BOOST_REQUIRE(result.nodes.size() == oracle.nodes.size());
+      for (std::size_t i = 0; i < oracle.nodes.size(); ++i)
+        BOOST_TEST(std::size_t(result.nodes[i]) == oracle.nodes[i].vertex);
+    }
+  }
+  BOOST_TEST(errors > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(borders_are_open_level_sets)
