@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -68,8 +69,118 @@ void check_algorithms(Case& c, const bool unfolds)
   BOOST_TEST((everything<Tag>(c, SMRG::Reeb_graph_algorithm::CUTTING, unfolds) == cutting));
 }
 
+using Band = std::pair<std::uint32_t, std::uint32_t>; // the first and the last of its nodes
+
+// A function as the algorithms see it.
+struct Ordered_case
+{
+  using Indices = std::decay_t<decltype(get(boost::vertex_index, std::declval<const Mesh&>()))>;
+  using Order = SMRG::Vertex_order<Mesh, Value_map, Indices>;
+
+  Ordered_case(const Case& c, const bool unfolds)
+    : mesh(c.mesh)
+    , indices(get(boost::vertex_index, c.mesh))
+    , order(c.mesh, c.values, indices)
+    , size(c.mesh.number_of_vertices())
+    , states(size)
+  {
+    states.classify<CGAL::Sequential_tag>(mesh, indices, [this](Vertex v) { return order.key(v); });
+    request.unfolds = unfolds;
+    request.has_vertex_arcs = false;
+  }
+
+  const Mesh& mesh;
+  Indices indices;
+  Order order;
+  std::size_t size;
+  SMRG::internal::Vertex_states states;
+  SMRG::internal::Reeb_graph_request request;
+};
+
+// Computes the arcs with a sweep through a band of levels. `choose_band(may_have_loops, n)` gets the nodes below which
+// there may be loops, and the number of all nodes; the band must hold the former. Returns false if there is no band.
+template <class Choose_band>
+bool compute_with_band(const Ordered_case& c,
+                       const Choose_band& choose_band,
+                       SMRG::internal::Arc_list<Mesh>& result)
+{
+  using namespace SMRG::internal;
+  using Order = Ordered_case::Order;
+  using Indices = Ordered_case::Indices;
+  Arc_list<Mesh> without_band;
+  Cutting<Tag, Mesh, Order, Indices> cutting(
+      c.mesh, c.order, c.indices, c.size, c.states, c.request);
+  cutting.run(0, without_band);
+  if (c.states.has_border() || cutting.nodes().size() == 0)
+    return false;
+  const Band band = choose_band(cutting.may_have_loops(), cutting.nodes().size());
+  if (band.second < band.first)
+    return false;
+  // without loops `cutting` has not given up, and has pruned its forests
+  std::vector<std::uint32_t> sequence(cutting.nodes().size());
+  std::iota(sequence.begin(), sequence.end(), 0);
+  Merge_forest sublevel_forest, superlevel_forest;
+  merge_sublevel_sets(cutting.nodes(), sequence, sublevel_forest);
+  merge_superlevel_sets(cutting.nodes(), sequence, superlevel_forest);
+  Level_band<Tag, Mesh, Order, Indices> level_band(c.mesh,
+                                                   c.order,
+                                                   c.indices,
+                                                   c.size,
+                                                   cutting.nodes(),
+                                                   {band.first, band.second},
+                                                   c.request.unfolds);
+  BOOST_TEST(!level_band.run(sublevel_forest, superlevel_forest, 0, result));
+  BOOST_REQUIRE(level_band.run(sublevel_forest, superlevel_forest, c.size, result));
+  return true;
+}
+
+// Compares with the sweep, down to the numbers of the arcs. Returns whether there was a band.
+template <class Choose_band>
+bool check_level_band(const Case& c, const bool unfolds, const Choose_band& choose_band)
+{
+  const Ordered_case ordered(c, unfolds);
+  SMRG::internal::Arc_list<Mesh> result;
+  if (!compute_with_band(ordered, choose_band, result))
+    return false;
+  const auto sweep =
+      SMRG::internal::arc_list<CGAL::Sequential_tag>(ordered.mesh,
+                                                     ordered.order,
+                                                     ordered.indices,
+                                                     ordered.size,
+                                                     ordered.states,
+                                                     ordered.request,
+                                                     SMRG::Reeb_graph_algorithm::SWEEP);
+  BOOST_TEST((result.nodes == sweep.nodes));
+  BOOST_REQUIRE(result.arcs.size() == sweep.arcs.size());
+  for (std::size_t i = 0; i < sweep.arcs.size(); ++i) {
+    BOOST_TEST(result.arcs[i].lower == sweep.arcs[i].lower);
+    BOOST_TEST(result.arcs[i].upper == sweep.arcs[i].upper);
+  }
+  return true;
+}
+
+// The narrowest band; none without loops.
+Band narrowest_band(const std::vector<std::uint32_t>& may_have_loops, std::size_t)
+{
+  return may_have_loops.empty() ? Band(1, 0) : Band(may_have_loops.front(), may_have_loops.back());
+}
+
+// Any band that is wide enough.
+Band random_band(const std::vector<std::uint32_t>& may_have_loops,
+                 const std::size_t number_of_nodes,
+                 std::mt19937& rng)
+{
+  const std::size_t any = random_index(number_of_nodes, rng);
+  const std::size_t first = may_have_loops.empty() ? any : may_have_loops.front();
+  const std::size_t last = may_have_loops.empty() ? any : may_have_loops.back();
+  return Band(static_cast<std::uint32_t>(random_index(first + 1, rng)),
+              static_cast<std::uint32_t>(last + random_index(number_of_nodes - last, rng)));
+}
+
 Graph reeb_graph(Case& c)
 {
+  for (const bool unfolds : {true, false})
+    check_level_band(c, unfolds, narrowest_band);
   check_algorithms(c, true);
   check_algorithms(c, false);
   Graph graph;
@@ -464,6 +575,102 @@ BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
     BOOST_TEST(is_done(0) == !is_torus);
     BOOST_TEST(is_done(1000000));
   }
+}
+
+// Closed surfaces of genus 0 to 5, one or two of them, with values of any kind: the narrowest band, all of the order, and
+// any band in between, though the surface has no loops.
+BOOST_AUTO_TEST_CASE(sweep_through_a_band_gives_the_whole_graph)
+{
+  unsigned bands = 0, narrow_bands = 0;
+  for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const auto surface = [&rng]() {
+        const std::size_t g = random_index(6, rng);
+        Index_mesh mesh =
+            g == 0 ? sphere(1 + random_index(2, rng))
+                   : closed_surface(g, 3 + random_index(8, rng), 3 + random_index(8, rng));
+        flip_random_edges(mesh, random_index(3 * mesh.points.size(), rng), rng);
+        return mesh;
+      };
+      Index_mesh mesh = surface();
+      if (seed % 3 == 0)
+        append(mesh, surface(), 10);
+      const std::size_t n = mesh.points.size();
+      const bool has_ties = seed % 4 == 3;
+      std::vector<double> values = has_ties
+                                       ? random_integer_values(n, 1 + random_index(30, rng), rng)
+                                       : random_values(n, rng);
+      if (seed % 4 == 1) // little noise: few nodes
+        for (std::size_t i = 0; i < n; ++i)
+          values[i] = mesh.points[i][0] + 0.31 * mesh.points[i][1] + 0.1 * values[i];
+      const Case c(mesh, values);
+      for (const bool unfolds : {false, true}) {
+        const auto check = [&](const auto& choose_band) {
+          bands += check_level_band(c, unfolds, choose_band);
+        };
+        check([&](const auto& may_have_loops, std::size_t number) {
+          const Band band = narrowest_band(may_have_loops, number);
+          narrow_bands += band.first > 0 && band.second + 1 < number && band.first <= band.second;
+          return band;
+        });
+        check([](const auto&, std::size_t number) {
+          return Band(0, static_cast<std::uint32_t>(number - 1));
+        });
+        check([&](const auto& may_have_loops, std::size_t number) {
+          return random_band(may_have_loops, number, rng);
+        });
+      }
+    }
+  }
+  BOOST_TEST(bands > 0u);
+  BOOST_TEST(narrow_bands > 0u);
+}
+
+// Two closed surfaces that share a vertex, which leads to the faces of one of them only: an error if that changes
+// anything, wherever the vertex lies.
+BOOST_AUTO_TEST_CASE(level_band_never_gives_a_wrong_graph_where_there_are_several_fans)
+{
+  unsigned errors = 0;
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      Index_mesh mesh = closed_surface(1 + seed % 2, 4, 4);
+      const std::size_t n = mesh.points.size();
+      append(mesh, sphere(seed % 3), 10);
+      Case c(mesh, random_values(mesh.points.size(), rng));
+      std::vector<Mesh::Halfedge_index> star;
+      for (const auto h :
+           c.mesh.halfedges_around_target(c.mesh.halfedge(Vertex(static_cast<Mesh::size_type>(n)))))
+        star.push_back(h);
+      for (const auto h : star)
+        c.mesh.set_target(h, Vertex(0));
+      c.mesh.set_halfedge(Vertex(static_cast<Mesh::size_type>(n)), Mesh::null_halfedge());
+      SMRG::internal::Arc_list<Mesh> result;
+      try {
+        compute_with_band(
+            Ordered_case(c, false),
+            [&](const auto& may_have_loops, std::size_t number) {
+              return random_band(may_have_loops, number, rng);
+            },
+            result);
+      } catch (const SMRG::Reeb_graph_error&) {
+        ++errors;
+        continue;
+      }
+      for (auto& triangle : mesh.triangles)
+        for (std::size_t& v : triangle)
+          v = v == n ? 0 : v;
+      const Brute_force_reeb_graph oracle = brute_force_reeb_graph(mesh, rank_of(c));
+      BOOST_TEST(result.arcs.size() == oracle.arcs.size());
+      BOOST_REQUIRE(result.nodes.size() == oracle.nodes.size());
+      for (std::size_t i = 0; i < oracle.nodes.size(); ++i)
+        BOOST_TEST(std::size_t(result.nodes[i]) == oracle.nodes[i].vertex);
+    }
+  }
+  BOOST_TEST(errors > 0u);
 }
 
 BOOST_AUTO_TEST_CASE(borders_are_open_level_sets)

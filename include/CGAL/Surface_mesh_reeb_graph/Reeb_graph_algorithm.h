@@ -19,7 +19,8 @@ namespace Surface_mesh_reeb_graph {
 The algorithms of `compute_reeb_graph()`, for its named parameter `algorithm`. All of them give the same graph.
 */
 enum class Reeb_graph_algorithm {
-  /// `CUTTING`, unless that would take too long: then `SWEEP`
+  /// `CUTTING`, unless that would take too long: then `SWEEP`; on a mesh without border, and if no map is filled, only
+  /// through the levels between which loops may be closed, as long as that is less than half of the vertices
   AUTOMATIC,
   /// goes from the critical vertices along monotone paths, and cuts the surface where loops are closed. Takes
   /// O(*n* + *t* log *t*) time for *n* vertices, *t* of which are critical, plus the lengths of the components of

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Cutting.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Level_band.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Sweep.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
@@ -103,20 +104,30 @@ Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
                                    ? (std::numeric_limits<std::size_t>::max)()
                                    : 4 * index_bound;
     Arc_list<TriangleMesh> result;
-    if (Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
-            tmesh, order, vertex_index_map, index_bound, states, request)
-            .run(budget, result))
+    Cutting<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap> cutting(
+        tmesh, order, vertex_index_map, index_bound, states, request);
+    if (cutting.run(budget, result))
+      return result;
+    // a sweep through half of the vertices, and what comes before it, still takes less time than through all of them
+    if (!states.has_border() && !request.has_vertex_arcs &&
+        Level_band<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
+            tmesh,
+            order,
+            vertex_index_map,
+            index_bound,
+            cutting.nodes(),
+            cutting.may_have_loops(),
+            request.unfolds)
+            .run(cutting.sublevel_forest(), cutting.superlevel_forest(), index_bound / 2, result))
       return result;
   }
   const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);
-  return Sweep<TriangleMesh, VertexIndexMap, std::decay_t<decltype(halfedge_index_map)>>(
-             tmesh,
-             sorted_vertices<ConcurrencyTag>(tmesh, order),
-             vertex_index_map,
-             index_bound,
-             halfedge_index_map,
-             request)
-      .run();
+  return Sweep<TriangleMesh,
+               VertexOrder,
+               VertexIndexMap,
+               std::decay_t<decltype(halfedge_index_map)>>(
+             tmesh, order, vertex_index_map, index_bound, halfedge_index_map, request)
+      .run(sorted_vertices<ConcurrencyTag>(tmesh, order));
 }
 
 // The vertices of every arc, in increasing order.

@@ -69,9 +69,9 @@ struct Critical_nodes
   // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
   std::vector<std::uint32_t> lower_begin, upper_begin;
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
-  // the first edges of the upper wedges in the order of their lowest vertices; null for the way to the next
-  // node of the same vertex
-  std::vector<halfedge_descriptor> upper_halfedge;
+  // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null for the way to
+  // another node of the same vertex
+  std::vector<halfedge_descriptor> lower_halfedge, upper_halfedge;
 };
 
 // Finds the critical nodes.
@@ -101,14 +101,13 @@ public:
   void find(Nodes& nodes, Paths& descents, Paths& ascents) const
   {
     list_nodes(nodes, descents, ascents);
-    std::vector<halfedge_descriptor> lower_halfedge(nodes.lower_begin.back(), null_halfedge());
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      Reader reader = {nodes, lower_halfedge, Star(), {}};
+      Reader reader = {nodes, Star(), {}};
       for (std::size_t i = begin; i < end; ++i)
         read_wedges(static_cast<std::uint32_t>(i), reader);
     });
     const Marks no_marks;
-    follow(lower_halfedge, descents, no_marks, nodes.lower_end);
+    follow(nodes.lower_halfedge, descents, no_marks, nodes.lower_end);
     follow(nodes.upper_halfedge, ascents, no_marks, nodes.upper_end);
     sort(nodes);
   }
@@ -130,7 +129,6 @@ private:
   struct Reader
   {
     Nodes& nodes;
-    std::vector<halfedge_descriptor>& lower_halfedge; // an edge of every lower wedge
     Star star;
     std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
   };
@@ -191,6 +189,7 @@ private:
     }
     nodes.lower_end.resize(nodes.lower_begin.back());
     nodes.upper_end.resize(nodes.upper_begin.back());
+    nodes.lower_halfedge.resize(nodes.lower_begin.back(), null_halfedge());
     nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
   }
 
@@ -243,7 +242,7 @@ private:
     for (const auto& wedge : star.wedges) {
       const halfedge_descriptor h = star.halfedges[wedge.begin];
       if (!wedge.is_upper)
-        reader.lower_halfedge[lower++] = h;
+        nodes.lower_halfedge[lower++] = h;
       else
         reader.upper_wedges.emplace_back(
             source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), h);
@@ -275,8 +274,8 @@ private:
       if (i > 1)
         nodes.lower_end[lower++] = node - 1;
       else
-        reader.lower_halfedge[lower++] = edge(0);
-      reader.lower_halfedge[lower] = edge(2 * i);
+        nodes.lower_halfedge[lower++] = edge(0);
+      nodes.lower_halfedge[lower] = edge(2 * i);
       std::size_t wedge = 2 * i - 1, other = 2 * i + 1;
       if (i < number) {
         nodes.upper_end[upper++] = node + 1;
@@ -333,6 +332,7 @@ private:
       end = nodes.number[end];
     for (std::uint32_t& end : nodes.upper_end)
       end = nodes.number[end];
+    renumber_wedges(nodes.mesh_number, nodes.lower_begin, nodes.lower_halfedge);
     renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_halfedge);
     std::vector<std::uint32_t> begin =
         renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_end);

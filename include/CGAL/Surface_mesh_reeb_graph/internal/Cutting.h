@@ -16,9 +16,9 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_cuts.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_places.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/component_merging.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
@@ -84,9 +84,9 @@ public:
 
     std::vector<std::uint32_t> sequence(m_nodes.size());
     std::iota(sequence.begin(), sequence.end(), 0);
-    Merge_forest sublevel_forest, superlevel_forest;
-    invoke_both<ConcurrencyTag>([&]() { merge_sublevel_sets(sequence, sublevel_forest); },
-                                [&]() { merge_superlevel_sets(sequence, superlevel_forest); });
+    invoke_both<ConcurrencyTag>(
+        [&]() { merge_sublevel_sets(m_nodes, sequence, m_sublevel_forest); },
+        [&]() { merge_superlevel_sets(sequence); });
 
     Cuts cuts(m_tmesh,
               m_order,
@@ -95,40 +95,47 @@ public:
               m_nodes,
               m_states.has_border(),
               budget);
-    const std::vector<std::uint32_t> may_have_loops =
-        nodes_that_may_have_loops(sublevel_forest, superlevel_forest, ascents);
-    if (!may_have_loops.empty()) {
-      if (!cuts.run(may_have_loops, sublevel_forest))
+    m_may_have_loops = nodes_that_may_have_loops(ascents);
+    if (!m_may_have_loops.empty()) {
+      Merge_forest forest; // the other one is needed without the cuts if there are none in the end
+      if (!cuts.run(m_may_have_loops, forest))
         return false;
+      m_sublevel_forest = std::move(forest);
       sequence = std::move(cuts.sequence);
       if (!cuts.saddles.empty()) {
         finder.follow_ascents(m_nodes, ascents, cuts.marks);
-        merge_superlevel_sets(sequence, superlevel_forest);
+        merge_superlevel_sets(sequence);
       }
     }
 
     Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
     if (m_request.has_vertex_arcs)
-      places.find(sequence, sublevel_forest, superlevel_forest, descents, ascents);
+      places.find(sequence, m_sublevel_forest, m_superlevel_forest, descents, ascents);
     m_number_below.resize(m_nodes.size());
     m_number_above.resize(m_nodes.size());
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
-      m_number_below[node] = sublevel_forest.degree(node);
-      m_number_above[node] = superlevel_forest.degree(node);
+      m_number_below[node] = m_sublevel_forest.degree(node);
+      m_number_above[node] = m_superlevel_forest.degree(node);
     }
     for (const std::uint32_t saddle : cuts.saddles)
       ++m_number_below[saddle];
 
-    if (m_request.has_wedge_arcs) // the pruning changes the positions
-      for (std::uint32_t& end : m_nodes.upper_end)
-        end = superlevel_forest.position(end);
+    for (std::uint32_t& component : m_component_of_upper_wedge) // the pruning changes the positions
+      component = m_superlevel_forest.position(component);
 
-    Leaf_pruning pruning(sublevel_forest, superlevel_forest);
+    Leaf_pruning pruning(m_sublevel_forest, m_superlevel_forest);
     pruning.run(sequence,
                 [&](std::uint32_t node) { return !cuts.is_leaf(node) && is_regular(node); });
     write(sequence, cuts, places, pruning, result);
     return true;
   }
+
+  // What is known when `run()` has returned false: the nodes, and their forests without any cut.
+  const Nodes& nodes() const { return m_nodes; }
+  Merge_forest& sublevel_forest() { return m_sublevel_forest; }
+  Merge_forest& superlevel_forest() { return m_superlevel_forest; }
+  // The nodes below which there may be loops, in increasing order.
+  const std::vector<std::uint32_t>& may_have_loops() const { return m_may_have_loops; }
 
 private:
   Paths paths(Side side) const
@@ -141,42 +148,19 @@ private:
     return m_number_below[node] == 1 && m_number_above[node] == 1;
   }
 
-  void merge_sublevel_sets(const std::vector<std::uint32_t>& sequence, Merge_forest& forest)
+  void merge_superlevel_sets(const std::vector<std::uint32_t>& sequence)
   {
-    merge(sequence.begin(), sequence.end(), m_nodes.lower_begin, m_nodes.lower_end, forest);
-  }
-
-  void merge_superlevel_sets(const std::vector<std::uint32_t>& sequence, Merge_forest& forest)
-  {
-    merge(sequence.rbegin(), sequence.rend(), m_nodes.upper_begin, m_nodes.upper_end, forest);
-  }
-
-  // Makes a forest: visits the nodes in the given order and merges the components that their wedges lead to.
-  // The end of every wedge becomes the last node of its component, the child that the component has in the forest.
-  template <class Iterator>
-  void merge(Iterator begin,
-             Iterator end,
-             const std::vector<std::uint32_t>& wedge_begin,
-             std::vector<std::uint32_t>& wedge_end,
-             Merge_forest& forest) const
-  {
-    const std::size_t number_of_nodes = static_cast<std::size_t>(end - begin);
-    forest.clear(number_of_nodes);
-    Number_sets components(number_of_nodes); // the last node visited is the root
-    for (Iterator i = begin; i != end; ++i) {
-      const std::uint32_t node = *i;
-      if (node >= m_nodes.size())
-        continue; // the leaf of a cut, a component of its own
-      for (std::uint32_t w = wedge_begin[node]; w < wedge_begin[node + 1]; ++w)
-        wedge_end[w] = components.root(wedge_end[w]);
-      for (std::uint32_t w = wedge_begin[node]; w < wedge_begin[node + 1]; ++w) {
-        const std::uint32_t component = wedge_end[w];
-        if (forest.parent(component) == node)
-          continue;
-        forest.attach(component, node);
-        components.join(component, node);
-      }
+    if (!m_request.has_wedge_arcs) {
+      internal::merge_superlevel_sets(m_nodes, sequence, m_superlevel_forest);
+      return;
     }
+    m_component_of_upper_wedge.resize(m_nodes.upper_end.size());
+    internal::merge_superlevel_sets(m_nodes,
+                                    sequence,
+                                    m_superlevel_forest,
+                                    [this](std::uint32_t wedge, std::uint32_t component) {
+                                      m_component_of_upper_wedge[wedge] = component;
+                                    });
   }
 
   // Below which nodes two components of the level set may belong to the same component of the sublevel set,
@@ -186,19 +170,17 @@ private:
   // below and above it are the same elsewhere. Closed components make at most k + 1 together, below and
   // above. The sublevel and superlevel sets have no more of them: if they have as many, all of them are apart.
   // A component that ends on the border changes nothing as long as there is one at most.
-  std::vector<std::uint32_t> nodes_that_may_have_loops(const Merge_forest& sublevel_forest,
-                                                       const Merge_forest& superlevel_forest,
-                                                       Paths& ascents) const
+  std::vector<std::uint32_t> nodes_that_may_have_loops(Paths& ascents) const
   {
     std::vector<std::uint32_t> result;
     std::vector<std::uint32_t> open_above;
     if (m_states.has_border())
-      open_above = number_of_open_components_above(superlevel_forest, ascents);
+      open_above = number_of_open_components_above(ascents);
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
       const std::uint32_t lower = m_nodes.lower_begin[node + 1] - m_nodes.lower_begin[node];
       const std::uint32_t upper = m_nodes.upper_begin[node + 1] - m_nodes.upper_begin[node];
-      const std::uint32_t below = sublevel_forest.degree(node),
-                          above = superlevel_forest.degree(node);
+      const std::uint32_t below = m_sublevel_forest.degree(node),
+                          above = m_superlevel_forest.degree(node);
       if (below == lower)
         continue;
       const bool is_interior = !m_states.is_on_border(index(node));
@@ -212,8 +194,7 @@ private:
   }
 
   // How many of the components of the superlevel set that merge at a node touch the border, or may do so.
-  std::vector<std::uint32_t>
-  number_of_open_components_above(const Merge_forest& forest, Paths& ascents) const
+  std::vector<std::uint32_t> number_of_open_components_above(Paths& ascents) const
   {
     std::vector<bool> touches_border(m_nodes.size(), false);
     std::vector<vertex_descriptor> border;
@@ -228,7 +209,7 @@ private:
         [&](std::size_t, std::uint32_t end) { touches_border[m_nodes.number_of_end(end)] = true; });
     std::vector<std::uint32_t> result(m_nodes.size(), 0);
     for (std::uint32_t node = static_cast<std::uint32_t>(m_nodes.size()); node-- > 0;) {
-      const std::uint32_t parent = forest.parent(node);
+      const std::uint32_t parent = m_superlevel_forest.parent(node);
       if (parent != no_node && (touches_border[node] || result[node] > 0))
         ++result[parent];
     }
@@ -288,7 +269,8 @@ private:
         for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
           if (m_nodes.upper_halfedge[w] != boost::graph_traits<TriangleMesh>::null_halfedge())
             result.upper_wedges.push_back(
-                {m_nodes.upper_halfedge[w], first_arc[number[node]] + m_nodes.upper_end[w]});
+                {m_nodes.upper_halfedge[w],
+                 first_arc[number[node]] + m_component_of_upper_wedge[w]});
       }
     }
   }
@@ -300,7 +282,11 @@ private:
   const Vertex_states& m_states;
   const Reeb_graph_request m_request;
   Nodes m_nodes;
+  Merge_forest m_sublevel_forest, m_superlevel_forest;
+  std::vector<std::uint32_t> m_may_have_loops;               // nodes, in increasing order
   std::vector<std::uint32_t> m_number_below, m_number_above; // of arcs, by node
+  // what an upper wedge leads to: a child of its node in the forest, later its position; only on request
+  std::vector<std::uint32_t> m_component_of_upper_wedge;
 };
 
 } // namespace internal

@@ -39,12 +39,12 @@ public:
     : m_sublevel_forest(sublevel_forest), m_superlevel_forest(superlevel_forest)
   {}
 
-  // `sequence` holds the nodes. Those for which `is_regular` holds are no nodes of the graph.
+  // `sequence` holds the nodes of both forests. Those for which `is_regular` holds are no nodes of the graph.
   template <class IsRegular>
   void run(const std::vector<std::uint32_t>& sequence, const IsRegular& is_regular)
   {
-    m_fates[0].resize(sequence.size());
-    m_fates[1].resize(sequence.size());
+    m_fates[0].resize(m_sublevel_forest.size());
+    m_fates[1].resize(m_superlevel_forest.size());
     std::size_t number_of_nodes = 0, number_of_components = 0;
     for (const std::uint32_t node : sequence) {
       if (is_regular(node)) {

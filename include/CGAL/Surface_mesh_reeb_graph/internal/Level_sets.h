@@ -58,6 +58,14 @@ public:
     std::reverse(run.begin(), run.end());
   }
 
+  // Adds a closed component of `size` edges. Returns the element of the first of them; the others' elements follow.
+  std::uint32_t add_component(std::size_t size, std::uint32_t arc)
+  {
+    const std::uint32_t first = m_sequences.number_of_elements();
+    set_arc({m_sequences.add_balanced(static_cast<std::uint32_t>(size)), 0, true}, arc);
+    return first;
+  }
+
   // Says that an element will be needed soon; it may be none.
   void prefetch_element(std::uint32_t element) const { m_sequences.prefetch_element(element); }
 

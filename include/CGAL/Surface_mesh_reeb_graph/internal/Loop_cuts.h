@@ -140,6 +140,11 @@ private:
     m_walked.resize(nodes.size());
     std::atomic<bool> is_budget_spent(false);
     std::atomic<std::int64_t> budget(m_budget);
+    // a part of the budget is there for all nodes; the rest is shared out, so that if the first nodes take more than
+    // their shares, it is soon seen that all together will take too much
+    const std::int64_t share =
+        (m_budget - m_budget / 16) / (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
+    std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<Walking> tasks((std::min)(end - begin, number_of_tasks_in_turn), Walking(*this));
       in_turn(
@@ -149,13 +154,15 @@ private:
               ++begin;
             if (begin == end)
               return false;
+            reserve.fetch_sub(share, std::memory_order_relaxed);
             begin_walking(walking, nodes[begin]);
             walking.number = begin++;
             return true;
           },
           [&](Walking& walking) {
             const std::int64_t steps = static_cast<std::int64_t>(walking.walks.number_of_walks());
-            if (is_budget_spent || budget.fetch_sub(steps, std::memory_order_relaxed) < steps) {
+            if (is_budget_spent ||
+                budget.fetch_sub(steps, std::memory_order_relaxed) - steps < reserve) {
               is_budget_spent = true;
               return false;
             }

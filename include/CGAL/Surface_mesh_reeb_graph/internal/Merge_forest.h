@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,9 +28,20 @@ namespace internal {
 class Merge_forest
 {
 public:
+  std::size_t size() const { return m_nodes.size(); }
+
   void resize(std::size_t size) { m_nodes.resize(size); }
 
   void clear(std::size_t size) { m_nodes.assign(size, Node()); }
+
+  // Makes the nodes from `begin` to `end` forget their parents and children. (A child outside of them still has its
+  // parent, which must be set anew.)
+  void clear(std::size_t begin, std::size_t end)
+  {
+    std::fill(m_nodes.begin() + static_cast<std::ptrdiff_t>(begin),
+              m_nodes.begin() + static_cast<std::ptrdiff_t>(end),
+              Node());
+  }
 
   std::uint32_t parent(std::uint32_t node) const { return m_nodes[node].parent; }
   std::uint32_t degree(std::uint32_t node) const { return m_nodes[node].degree; }

@@ -38,6 +38,16 @@ public:
     return static_cast<std::uint32_t>(m_elements.size() - 1);
   }
 
+  // Makes a sequence of `size` elements, which are the next ones, as a balanced tree. Returns its root.
+  std::uint32_t add_balanced(std::uint32_t size)
+  {
+    const std::uint32_t first = number_of_elements();
+    m_elements.resize(m_elements.size() + size);
+    return link_balanced(first, first + size, none);
+  }
+
+  std::uint32_t number_of_elements() const { return static_cast<std::uint32_t>(m_elements.size()); }
+
   void prefetch_element(std::uint32_t x) const
   {
     if (x != none)
@@ -101,6 +111,17 @@ private:
     std::array<std::uint32_t, 2> child = {none, none};
     std::uint32_t number = none;
   };
+
+  // Makes a tree of the elements from `begin` to `end` below `parent`. Returns its root.
+  std::uint32_t link_balanced(std::uint32_t begin, std::uint32_t end, std::uint32_t parent)
+  {
+    if (begin == end)
+      return none;
+    const std::uint32_t x = begin + (end - begin) / 2;
+    m_elements[x].parent = parent;
+    m_elements[x].child = {link_balanced(begin, x, x), link_balanced(x + 1, end, x)};
+    return x;
+  }
 
   // Puts `x` in the place of its parent.
   void rotate(std::uint32_t x)

@@ -38,7 +38,10 @@ namespace internal {
 // The components of the level set are sequences of crossed edges, which split and merge in logarithmic time: the
 // sweep takes O(n log n) time whatever the function and the surface. At a regular vertex the upper edges just take over
 // the places of the lower ones.
-template <class TriangleMesh, class VertexIndexMap, class HalfedgeIndexMap>
+//
+// A sweep may also go through a part of the order only: then the components that come from below are given, and
+// those that reach beyond have arcs without an upper end.
+template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
 class Sweep
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -47,10 +50,16 @@ class Sweep
   using Star = Vertex_star<TriangleMesh>;
   using Run = Level_sets::Run;
 
+  // The lowest vertex that a run of upper edges leads to.
+  struct Lowest
+  {
+    vertex_descriptor vertex;
+    std::size_t run;
+  };
+
 public:
-  // `order` holds all vertices in increasing order.
   Sweep(const TriangleMesh& tmesh,
-        const std::vector<vertex_descriptor>& order,
+        const VertexOrder& order,
         VertexIndexMap vertex_index_map,
         std::size_t index_bound,
         HalfedgeIndexMap halfedge_index_map,
@@ -60,27 +69,53 @@ public:
     , m_vertex_index_map(vertex_index_map)
     , m_edge_numbers(tmesh, halfedge_index_map)
     , m_request(request)
-    , m_rank(index_bound)
     , m_element(m_edge_numbers.bound(), Sequences::none)
   {
-    for (std::size_t i = 0; i < order.size(); ++i)
-      m_rank[get(vertex_index_map, order[i])] = static_cast<std::uint32_t>(i);
     if (request.has_vertex_arcs)
-      m_result.arc_of_vertex.assign(m_rank.size(), no_arc);
+      m_result.arc_of_vertex.assign(index_bound, no_arc);
   }
 
-  Arc_list<TriangleMesh> run()
+  // Sweeps all vertices, given in increasing order.
+  Arc_list<TriangleMesh> run(const std::vector<vertex_descriptor>& sorted)
+  {
+    const auto range = halfedges(m_tmesh);
+    if (pass_vertices(sorted) !=
+        static_cast<std::size_t>(std::distance(range.begin(), range.end())))
+      throw_several_fans();
+    if (m_request.has_vertex_arcs)
+      m_result.set_arcs_of_nodes(m_vertex_index_map);
+    return std::move(m_result);
+  }
+
+  // Adds a closed component that comes from below all vertices that are swept, by edges that it crosses, in the order
+  // of a forward walk: one at least, and all those whose upper ends are swept. Returns the number of its arc.
+  std::uint32_t add_component(const std::vector<halfedge_descriptor>& edges)
+  {
+    const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
+    m_result.arcs.push_back({no_node, no_node});
+    std::uint32_t next = m_level_sets.add_component(edges.size(), arc);
+    for (const halfedge_descriptor h : edges) {
+      if (is_known(h))
+        throw_several_fans();
+      element(h) = next++;
+    }
+    return arc;
+  }
+
+  // Lets the level rise past vertices, given in increasing order. Returns how many edges there are around them,
+  // counted for each of them.
+  std::size_t pass_vertices(const std::vector<vertex_descriptor>& sorted)
   {
     Star_block<TriangleMesh> stars;
     std::size_t number_of_star_edges = 0;
-    for (std::size_t begin = 0; begin < m_order.size(); begin += stars.capacity) {
-      const std::size_t size = (std::min)(stars.capacity, m_order.size() - begin);
-      stars.read(m_order.data() + begin, size, m_tmesh);
+    for (std::size_t begin = 0; begin < sorted.size(); begin += stars.capacity) {
+      const std::size_t size = (std::min)(stars.capacity, sorted.size() - begin);
+      stars.read(sorted.data() + begin, size, m_tmesh);
       for (std::size_t i = 0; i < size; ++i) {
         number_of_star_edges += stars[i].halfedges.size();
-        const std::uint32_t level = static_cast<std::uint32_t>(begin + i);
+        const vertex_descriptor v = sorted[begin + i];
         stars[i].find_wedges(m_tmesh,
-                             [&](halfedge_descriptor h) { return level < rank_of_source(h); });
+                             [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
         for (const halfedge_descriptor h : stars[i].halfedges)
           prefetch(&element(h));
       }
@@ -88,25 +123,25 @@ public:
         if (stars[i].wedges.size() > 2)
           prefetch_elements(stars[i]);
       for (std::size_t i = 0; i < size; ++i)
-        process(m_order[begin + i], stars[i]);
+        process(sorted[begin + i], stars[i]);
     }
-    if (number_of_star_edges != number_of_halfedges())
-      throw_several_fans();
-    if (m_request.has_vertex_arcs)
-      m_result.set_arcs_of_nodes(m_vertex_index_map);
-    return std::move(m_result);
+    return number_of_star_edges;
   }
+
+  // Whether an edge has been added, or reached from its lower end. Not all that are crossed have, if the sweep began with
+  // some of them.
+  bool is_known(halfedge_descriptor h) const
+  {
+    return m_element[m_edge_numbers(h)] != Sequences::none;
+  }
+
+  // The arc of the component that crosses a known edge at the level that has been reached.
+  std::uint32_t arc(halfedge_descriptor h) { return m_level_sets.arc(element_of_lower_edge(h)); }
+
+  // What has been found so far; a node or an arc that is added later has a higher number.
+  const Arc_list<TriangleMesh>& result() const { return m_result; }
 
 private:
-  std::size_t number_of_halfedges() const
-  {
-    const auto range = halfedges(m_tmesh);
-    return static_cast<std::size_t>(std::distance(range.begin(), range.end()));
-  }
-
-  std::uint32_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
-  std::uint32_t rank_of_source(halfedge_descriptor h) const { return rank(source(h, m_tmesh)); }
-
   // The element that the edge has in the sequence of its component while it is crossed.
   std::uint32_t& element(halfedge_descriptor h) { return m_element[m_edge_numbers(h)]; }
 
@@ -138,9 +173,9 @@ private:
       unfold(v, star);
       return;
     }
-    m_runs.clear();
+    clear_runs();
     for (const auto& wedge : star.wedges)
-      m_runs.push_back(run_of_wedge(star, wedge));
+      add_run(star, wedge);
     pass(v);
     for (std::size_t i = 0; i < m_runs.size(); ++i)
       set_elements(star, star.wedges[i], m_runs[i]);
@@ -162,17 +197,27 @@ private:
       element(star.halfedges[i]) = m_elements[i - upper.begin];
   }
 
+  void clear_runs()
+  {
+    m_runs.clear();
+    m_lowest.clear();
+  }
+
+  void add_run(const Star& star, const typename Star::Wedge& wedge)
+  {
+    if (wedge.is_upper)
+      m_lowest.push_back(
+          {source(star.lowest_edge(wedge, m_tmesh, m_order), m_tmesh), m_runs.size()});
+    m_runs.push_back(run_of_wedge(star, wedge));
+  }
+
   Run run_of_wedge(const Star& star, const typename Star::Wedge& wedge)
   {
     Run run = {};
     run.is_upper = wedge.is_upper;
     run.is_linked = wedge.is_linked;
     run.size = wedge.end - wedge.begin;
-    if (wedge.is_upper) {
-      run.lowest = no_node;
-      for (std::size_t i = wedge.begin; i < wedge.end; ++i)
-        run.lowest = (std::min)(run.lowest, rank_of_source(star.halfedges[i]));
-    } else {
+    if (!wedge.is_upper) {
       run.first = element_of_lower_edge(star.halfedges[wedge.begin]);
       run.last = element_of_lower_edge(star.halfedges[wedge.end - 1]);
     }
@@ -189,6 +234,11 @@ private:
   // Lets the level rise past the runs, which makes a node unless one component goes in and one comes out.
   void pass(vertex_descriptor v)
   {
+    std::sort(m_lowest.begin(), m_lowest.end(), [this](const Lowest& a, const Lowest& b) {
+      return m_order(a.vertex, b.vertex);
+    });
+    for (std::size_t i = 0; i < m_lowest.size(); ++i)
+      m_runs[m_lowest[i].run].lowest = static_cast<std::uint32_t>(i);
     m_level_sets.pass(m_runs, m_arcs_below);
     m_is_branching = false;
     if (m_arcs_below.size() == 1 && m_level_sets.components.size() == 1) {
@@ -212,23 +262,22 @@ private:
   // across U1 to one strand that passes by the vertex, and so on; what passes by the last one is Uk.
   void unfold(vertex_descriptor v, Star& star)
   {
-    star.begin_at_lowest_vertex(
-        m_tmesh, [this](vertex_descriptor u, vertex_descriptor w) { return rank(u) < rank(w); });
+    star.begin_at_lowest_vertex(m_tmesh, m_order);
     const std::size_t number = star.number_of_simple_saddles();
     Run strand = run_of_wedge(star, star.wedges[0]);
     for (std::size_t i = 1; i <= number; ++i) {
-      m_runs.clear();
+      clear_runs();
       m_runs.push_back(strand);
-      m_runs.push_back(run_of_wedge(star, star.wedges[2 * i - 1]));
-      m_runs.push_back(run_of_wedge(star, star.wedges[2 * i]));
+      add_run(star, star.wedges[2 * i - 1]);
+      add_run(star, star.wedges[2 * i]);
       if (i < number) {
         Run passing = {};
         passing.is_upper = passing.is_linked = true;
         passing.size = 1;
-        passing.lowest = rank(v); // the next saddle
+        m_lowest.push_back({v, m_runs.size()}); // the next saddle
         m_runs.push_back(passing);
       } else {
-        m_runs.push_back(run_of_wedge(star, star.wedges.back()));
+        add_run(star, star.wedges.back());
       }
       pass(v);
       set_elements(star, star.wedges[2 * i - 1], m_runs[1]);
@@ -260,11 +309,10 @@ private:
   }
 
   const TriangleMesh& m_tmesh;
-  const std::vector<vertex_descriptor>& m_order;
+  const VertexOrder& m_order;
   VertexIndexMap m_vertex_index_map;
   const Edge_numbers<TriangleMesh, HalfedgeIndexMap> m_edge_numbers;
   const Reeb_graph_request m_request;
-  std::vector<std::uint32_t> m_rank;    // by vertex index
   std::vector<std::uint32_t> m_element; // of the edges, by their numbers
   Level_sets m_level_sets;
   Arc_list<TriangleMesh> m_result;
@@ -272,6 +320,7 @@ private:
   // Members, so that no vertex allocates.
   bool m_is_branching = false;
   std::vector<Run> m_runs;
+  std::vector<Lowest> m_lowest; // of the upper runs
   std::vector<std::uint32_t> m_elements;
   std::vector<std::uint32_t> m_arcs_below;
 };

@@ -17,33 +17,28 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// All vertices in increasing order. The values are copied beside the vertices: sorting through property maps
+// Sorts vertices into increasing order. The values are copied beside the vertices: sorting through property maps
 // would miss the cache at every comparison.
-template <class ConcurrencyTag, class TriangleMesh, class VertexOrder>
-std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-sorted_vertices(const TriangleMesh& tmesh, const VertexOrder& order)
+template <class ConcurrencyTag, class VertexDescriptor, class VertexOrder>
+void sort_vertices(std::vector<VertexDescriptor>& vertices, const VertexOrder& order)
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
   struct Keyed_vertex
   {
     typename VertexOrder::FT value;
-    vertex_descriptor vertex;
+    VertexDescriptor vertex;
   };
 
   std::vector<Keyed_vertex> keyed;
-  keyed.reserve(num_vertices(tmesh));
-  for (const vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-    if (has_no_edge(v, tmesh))
-      order.check_value(v); // all others are checked by the comparisons
+  keyed.reserve(vertices.size());
+  for (const VertexDescriptor v : vertices)
     keyed.push_back({order.value(v), v});
-  }
   sort<ConcurrencyTag>(
       keyed.begin(), keyed.end(), [&](const Keyed_vertex& a, const Keyed_vertex& b) {
         if (a.value < b.value)
@@ -52,11 +47,25 @@ sorted_vertices(const TriangleMesh& tmesh, const VertexOrder& order)
           return false;
         return order(a.vertex, b.vertex);
       });
+  for (std::size_t i = 0; i < keyed.size(); ++i)
+    vertices[i] = keyed[i].vertex;
+}
+
+// All vertices in increasing order.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+sorted_vertices(const TriangleMesh& tmesh, const VertexOrder& order)
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   std::vector<vertex_descriptor> result;
-  result.reserve(keyed.size());
-  for (const Keyed_vertex& k : keyed)
-    result.push_back(k.vertex);
+  result.reserve(num_vertices(tmesh));
+  for (const vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
+    if (has_no_edge(v, tmesh))
+      order.check_value(v); // all others are checked by the comparisons
+    result.push_back(v);
+  }
+  sort_vertices<ConcurrencyTag>(result, order);
   return result;
 }
 
