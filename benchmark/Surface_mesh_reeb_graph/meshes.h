@@ -9,6 +9,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -236,6 +237,63 @@ inline Mesh make_mesh(const Triangle_soup& soup, const std::size_t genus)
   if (!CGAL::is_closed(mesh) || number_of_components != 1 ||
       euler_characteristic != 2 - 2 * long(genus))
     throw std::logic_error("a mesh of the benchmark is not the closed surface that it should be");
+  return mesh;
+}
+
+// A closed surface as scans have them: no symmetry, vertices that are not in line, and of two diagonals not
+// always the better one. Triangles keep a height of at least a tenth of their longest edge.
+inline Mesh irregular_surface(const std::size_t m)
+{
+  constexpr double smallest_height = 0.1; // by the longest edge
+  Mesh mesh = make_mesh(sphere(m), 0);
+  std::mt19937 generator(1);
+  const auto random_number = [&generator]() { return double(generator()) / 4294967296.; };
+
+  const auto is_well_shaped = [](const Point& p, const Point& q, const Point& r) {
+    const double longest = (std::max)({CGAL::to_double(squared_distance(p, q)),
+                                       CGAL::to_double(squared_distance(q, r)),
+                                       CGAL::to_double(squared_distance(r, p))});
+    const Kernel::Vector_3 normal = cross_product(q - p, r - p);
+    // outwards, seen from the center of the sphere
+    return normal * (p - CGAL::ORIGIN) > 0 &&
+           normal.squared_length() > smallest_height * smallest_height * longest * longest;
+  };
+  const auto is_vertex_well_shaped = [&](const Mesh::Vertex_index v) {
+    for (const Mesh::Halfedge_index h : CGAL::halfedges_around_target(v, mesh))
+      if (!is_well_shaped(
+              mesh.point(v), mesh.point(mesh.target(mesh.next(h))), mesh.point(mesh.source(h))))
+        return false;
+    return true;
+  };
+
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point p = mesh.point(v);
+    const double length = std::sqrt(squared_distance(p, mesh.point(mesh.source(mesh.halfedge(v)))));
+    const Kernel::Vector_3 step(
+        random_number() - 0.5, random_number() - 0.5, random_number() - 0.5);
+    const Kernel::Vector_3 moved = (p - CGAL::ORIGIN) + 0.6 * length * step;
+    mesh.point(v) = CGAL::ORIGIN + moved / std::sqrt(moved.squared_length());
+    if (!is_vertex_well_shaped(v))
+      mesh.point(v) = p;
+  }
+
+  for (const Mesh::Edge_index e : mesh.edges()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(e), g = mesh.opposite(h);
+    const Mesh::Vertex_index a = mesh.source(h), b = mesh.target(h);
+    const Mesh::Vertex_index c = mesh.target(mesh.next(h)), d = mesh.target(mesh.next(g));
+    if (random_number() < 0.3 && mesh.degree(a) > 4 && mesh.degree(b) > 4 &&
+        !CGAL::halfedge(c, d, mesh).second &&
+        is_well_shaped(mesh.point(a), mesh.point(d), mesh.point(c)) &&
+        is_well_shaped(mesh.point(b), mesh.point(c), mesh.point(d)))
+      CGAL::Euler::flip_edge(h, mesh);
+  }
+
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    const double radius =
+        1 + 0.2 * std::sin(3 * p.x() + 1) * std::cos(2 * p.y()) + 0.1 * std::sin(5 * p.z() + p.x());
+    mesh.point(v) = Point(radius * p.x(), 1.4 * radius * p.y(), 0.7 * radius * p.z());
+  }
   return mesh;
 }
 

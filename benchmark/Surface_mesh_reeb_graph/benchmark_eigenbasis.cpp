@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Time and memory of Laplace_beltrami_eigenbasis with 50 eigenpairs, and where the time goes, beside other
+// eigensolvers and direct solvers that find the same eigenpairs with the same tolerance.
+//
+// Benchmarks are named irregular/vertices/solver, for --benchmark_filter. With --benchmark_repetitions
+// and --benchmark_enable_random_interleaving the solvers take turns; the fastest run of each counts. The counters, in
+// seconds of processor time:
+//   assembly        of the matrices, from the mesh
+//   factorization   of the shifted stiffness matrix
+//   solving         for all right-hand sides, whose number is rhs
+//   x_floor         total / time of the factorization and of 50 right-hand sides
+//   residual        the largest one of all eigenpairs, relative
+//   bytes           per vertex, at the peak
+
+#include "Measured_solver_traits.h"
+#include "eigenbasis_table.h"
+#include "meshes.h"
+#include "resident_memory.h"
+#ifdef REEB_GRAPH_BENCHMARK_WITH_CHOLMOD
+#include "peers_cholmod.h"
+#endif
+
+#include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
+#include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
+#include <CGAL/Surface_mesh_reeb_graph/Spectra_eigensolver.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#ifdef REEB_GRAPH_BENCHMARK_WITH_ARPACK
+#include "peers_arpack.h" // the last one
+#endif
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+#ifdef REEB_GRAPH_BENCHMARK_WITH_OPENBLAS
+extern "C" void openblas_set_num_threads(int number);
+#endif
+
+using namespace Reeb_graph_benchmark;
+namespace SMRG = CGAL::Surface_mesh_reeb_graph;
+
+namespace {
+
+constexpr const char* usage =
+    "Options of this program, beside those that --help lists:\n"
+    "  --largest=N   meshes of up to about N vertices (160000; 1000000 shows all)\n"
+    "  --table=FILE  writes the results as tables in Markdown\n";
+
+struct Options
+{
+  double largest = 160000;
+  std::string table;
+};
+
+constexpr std::array<std::size_t, 5> sizes = {10000, 40000, 160000, 640000, 1000000};
+constexpr std::size_t number_of_eigenpairs = 50;
+
+Results results;
+
+// ---- input ----------------------------------------------------------------------------------------
+
+// Benchmarks of the same mesh follow each other: one is kept.
+const Mesh& mesh_for(const std::size_t size)
+{
+  static std::size_t last_size = 0;
+  static Mesh mesh;
+  if (size != last_size) {
+    mesh = Mesh(); // before there is another one
+    // the sphere that it is made from has 4 m^2 + 2 vertices
+    mesh = irregular_surface(std::size_t(std::lround(std::sqrt(double(size) / 4))));
+    last_size = size;
+  }
+  return mesh;
+}
+
+// ---- what is measured -----------------------------------------------------------------------------
+
+using Default_traits = Measured_solver_traits<SMRG::internal::Default_solver_traits>;
+using Ldlt_traits = Measured_solver_traits<
+    CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>>;
+#ifdef REEB_GRAPH_BENCHMARK_WITH_CHOLMOD
+using Cholmod_traits = Measured_solver_traits<Cholmod_solver_traits>;
+#endif
+
+double assembly_seconds(const Mesh& mesh)
+{
+  const SMRG::internal::Mesh_components<Mesh> components(mesh);
+  return processor_seconds_for([&]() {
+    benchmark::DoNotOptimize(SMRG::internal::laplace_beltrami_matrices(
+        mesh, get(CGAL::vertex_point, mesh), components, 0));
+  });
+}
+
+// All solvers must find what the first one found.
+template <class Basis>
+bool agrees(const std::size_t size, const Basis& basis)
+{
+  static std::map<std::size_t, std::vector<double>> eigenvalues;
+  std::vector<double>& expected = eigenvalues[size];
+  const bool is_first = expected.empty();
+  if (!is_first && expected.size() != basis.number_of_eigenpairs(0))
+    return false;
+  for (std::size_t k = 1; k <= basis.number_of_eigenpairs(0); ++k) {
+    const double lambda = basis.eigenvalue(0, k);
+    if (is_first)
+      expected.push_back(lambda);
+    else if (std::abs(lambda - expected[k - 1]) > 1e-9 * lambda)
+      return false;
+  }
+  return true;
+}
+
+template <Solver solver, class Eigensolver>
+void measure(benchmark::State& state, const std::size_t size)
+{
+  using Basis = SMRG::Laplace_beltrami_eigenbasis<Mesh, Eigensolver>;
+
+  const Mesh& mesh = mesh_for(size);
+  Row& row = results[size];
+  row.vertices = mesh.number_of_vertices();
+  Result& least = row.results[solver];
+  for (auto _ : state) {
+    row.assembly_seconds = (std::min)(row.assembly_seconds, assembly_seconds(mesh));
+
+    Result result;
+    direct_solver_times = Direct_solver_times();
+    const Resident_memory_meter memory;
+    std::optional<Basis> basis;
+    result.seconds = processor_seconds_for([&]() {
+      basis.emplace(mesh, SMRG::parameters::number_of_eigenpairs(number_of_eigenpairs));
+    });
+    result.bytes = double(memory.peak());
+    result.factorization_seconds = direct_solver_times.factorization_seconds;
+    result.solution_seconds = direct_solver_times.solution_seconds;
+    result.right_hand_sides = direct_solver_times.right_hand_sides;
+    result.residual = basis->residual();
+    state.SetIterationTime(result.seconds);
+    if (result.seconds < least.seconds)
+      least = result;
+    if (!agrees(size, *basis))
+      state.SkipWithError("the solvers find different eigenvalues");
+  }
+  state.counters["assembly"] = row.assembly_seconds;
+  state.counters["factorization"] = least.factorization_seconds;
+  state.counters["solving"] = least.solution_seconds;
+  state.counters["rhs"] = double(least.right_hand_sides);
+  state.counters["x_floor"] = least.seconds / least.floor_seconds(number_of_eigenpairs);
+  state.counters["residual"] = least.residual;
+  state.counters["bytes"] = least.bytes / double(row.vertices);
+}
+
+// ---- the program ----------------------------------------------------------------------------------
+
+template <Solver solver, class Eigensolver>
+void add(const std::size_t size)
+{
+  const std::string name = "irregular/" + std::to_string(size) + '/' + solver_names[solver];
+  benchmark::RegisterBenchmark(
+      name.c_str(), [size](benchmark::State& state) { measure<solver, Eigensolver>(state, size); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+void register_benchmarks(const Options& options)
+{
+  for (const std::size_t size : sizes) {
+    if (double(size) > options.largest)
+      continue;
+    add<OURS, SMRG::Block_lanczos_eigensolver<Default_traits>>(size);
+    add<SPECTRA_LDLT, SMRG::Spectra_eigensolver<Ldlt_traits>>(size);
+#ifdef REEB_GRAPH_BENCHMARK_WITH_CHOLMOD
+    add<OURS_CHOLMOD, SMRG::Block_lanczos_eigensolver<Cholmod_traits>>(size);
+    add<SPECTRA_CHOLMOD, SMRG::Spectra_eigensolver<Cholmod_traits>>(size);
+#ifdef REEB_GRAPH_BENCHMARK_WITH_ARPACK
+    add<ARPACK_CHOLMOD, Arpack_eigensolver<Cholmod_traits>>(size);
+#endif
+#endif
+  }
+}
+
+// Reads the options that are left when Google Benchmark has taken its own.
+bool read_options(int argc, char* argv[], Options& options)
+{
+  const std::string largest = "--largest=", table = "--table=";
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument.compare(0, largest.size(), largest) == 0) {
+      options.largest = std::atof(argument.c_str() + largest.size());
+    } else if (argument.compare(0, table.size(), table) == 0) {
+      options.table = argument.substr(table.size());
+    } else {
+      std::cerr << "unknown option " << argument << '\n' << usage;
+      return false;
+    }
+  }
+  return true;
+}
+
+// The threads of CHOLMOD and of its BLAS wait for each other busily, which takes many times longer where
+// other programs run; and one thread is compared with one thread.
+void use_one_thread()
+{
+#ifdef _OPENMP
+  omp_set_num_threads(1);
+#endif
+#ifdef REEB_GRAPH_BENCHMARK_WITH_OPENBLAS
+  openblas_set_num_threads(1);
+#endif
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  use_one_thread();
+  Options options;
+  benchmark::Initialize(&argc, argv);
+  if (!read_options(argc, argv, options))
+    return EXIT_FAILURE;
+  register_benchmarks(options);
+  try {
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  if (!options.table.empty()) {
+    std::ofstream out(options.table);
+    write_tables(out, results, number_of_eigenpairs);
+    if (!out.flush()) {
+      std::cerr << "cannot write " << options.table << '\n';
+      return EXIT_FAILURE;
+    }
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The memory that a part of a program has in use at most, whoever hands it out: libraries in C and Eigen do
+// not ask `operator new`. For Linux, which lets a process forget its peak.
+
+#ifndef SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
+#define SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
+
+#include <cstddef>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <malloc.h>
+
+namespace Reeb_graph_benchmark {
+
+// The bytes of pages in use since its construction: at most, without those in use before.
+class Resident_memory_meter
+{
+public:
+  Resident_memory_meter()
+  {
+    // what was freed before would be used again, and not be seen
+    malloc_trim(0);
+    std::ofstream clear("/proc/self/clear_refs");
+    if (!(clear << "5" << std::flush))
+      throw std::runtime_error("the peak of the memory in use cannot be reset");
+    m_before = bytes_of("VmRSS:");
+  }
+
+  std::size_t peak() const
+  {
+    const std::size_t peak = bytes_of("VmHWM:");
+    return peak > m_before ? peak - m_before : 0;
+  }
+
+private:
+  static std::size_t bytes_of(const std::string& entry)
+  {
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word) {
+      std::size_t kilobytes;
+      if (word == entry && status >> kilobytes)
+        return 1024 * kilobytes;
+    }
+    throw std::runtime_error("the memory in use cannot be read");
+  }
+
+  std::size_t m_before;
+};
+
+} // namespace Reeb_graph_benchmark
+
+#endif // SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
