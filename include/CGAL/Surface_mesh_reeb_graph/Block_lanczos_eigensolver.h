@@ -50,8 +50,8 @@ orthogonal to those found is searched from new random vectors. The chance to mis
 1e-10.
 
 **Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any
-size. Beside the factor and the result it holds about three vectors for every pair wanted, 8 bytes
-per vertex each.
+size. Beside the factor and the result it holds about two and a half vectors for every pair
+wanted, 8 bytes per vertex each.
 
 \tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
         `CGAL::Eigen_solver_traits` with `Eigen::SimplicialLDLT`
@@ -121,9 +121,8 @@ private:
   bool iterate(Eigen::Index number)
   {
     constexpr int max_restarts = 300;
-    // What three vectors for every pair cost in memory, more would not make up for in solves; and a
-    // few steps have room in any case.
-    const Eigen::Index capacity = (std::max)(3 * number, number + 48) / width + 1;
+    // Twice as many vectors would save a tenth of the solves. A few steps have room in any case.
+    const Eigen::Index capacity = (std::max)(5 * number / 2, number + 48) / width + 1;
     m_progress = 0;
     if (m_basis.size() == 0)
       insert_random_block(0);

@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Row_block.h>
 
+#include <CGAL/Eigen_matrix.h>
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
@@ -71,10 +73,16 @@ public:
     , m_right_hand_side(static_cast<int>(rows()))
     , m_solution(static_cast<int>(rows()))
   {
-    for (Eigen::Index j = 0; j < stiffness.outerSize(); ++j)
-      for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness, j); it; ++it)
-        m_shifted.set_coef(
-            it.row(), it.col(), it.value() + (it.row() == it.col() ? shift * mass[j] : 0.), true);
+    Eigen::SparseMatrix<double> shifted = stiffness;
+    shifted += (shift * mass).eval().asDiagonal();
+    // CGAL's matrix never gives back the memory of the entries that it is made from one by one.
+    if constexpr (std::is_same_v<Matrix, CGAL::Eigen_sparse_matrix<double>>) {
+      Matrix(shifted).swap(m_shifted);
+    } else {
+      for (Eigen::Index j = 0; j < shifted.outerSize(); ++j)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(shifted, j); it; ++it)
+          m_shifted.set_coef(it.row(), it.col(), it.value(), true);
+    }
     double determinant;
     if (!m_solver.factor(m_shifted, determinant))
       throw Reeb_graph_error("the factorization of the shifted stiffness matrix failed");
