@@ -250,6 +250,20 @@ public:
   unspecified_type solve(const Rhs& b) const;
 #endif
 
+  /// replaces the right-hand sides, the columns of `x`, by the solutions. It holds a copy of `x` meanwhile.
+  /// \tparam Columns the number of right-hand sides; 8 make the best of a cache line
+  /// \pre `info()` is `Eigen::Success` after a factorization, and `x.rows() == rows()`.
+  template <int Columns>
+  void solve_in_place(Eigen::Matrix<Scalar,
+                                    Eigen::Dynamic,
+                                    Columns,
+                                    Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& x) const
+  {
+    static_assert(Columns > 0, "the number of right-hand sides is fixed");
+    eigen_assert(x.rows() == m_size);
+    solve_columns<Columns>(x, 0, x);
+  }
+
   /// replaces the rows of `x`, which are those of a right-hand side in the order of the factor, by the
   /// solution in the same order: *P A P^T X = B*. Nothing of the size of `x` is copied or
   /// allocated.

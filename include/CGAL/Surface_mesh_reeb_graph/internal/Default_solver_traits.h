@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_DEFAULT_SOLVER_TRAITS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_DEFAULT_SOLVER_TRAITS_H
 
-#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Surface_mesh_reeb_graph/Supernodal_cholesky.h>
 
-#include <Eigen/SparseCholesky>
+#include <CGAL/Eigen_solver_traits.h>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -20,7 +20,7 @@ namespace internal {
 
 // The direct solver that is used if the user chooses none; it is named here only.
 using Default_solver_traits =
-    CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+    CGAL::Eigen_solver_traits<Supernodal_cholesky<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
 
 } // namespace internal
 } // namespace Surface_mesh_reeb_graph
