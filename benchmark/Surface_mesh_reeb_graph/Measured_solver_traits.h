@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <ctime>
+#include <utility>
 
 namespace Reeb_graph_benchmark {
 
@@ -74,6 +75,19 @@ public:
         x = m_solutions;
       }
     });
+  }
+
+  // Only where there is the same.
+  template <class T = Traits>
+  auto permutationP() -> decltype(std::declval<T&>().solver().permutationP())
+  {
+    return m_traits.solver().permutationP();
+  }
+  template <class T = Traits>
+  auto solve_permuted_in_place(Row_block& x)
+      -> decltype(std::declval<T&>().solver().solve_permuted_in_place(x))
+  {
+    take_time(std::size_t(x.cols()), [&]() { m_traits.solver().solve_permuted_in_place(x); });
   }
 
   Eigen::ComputationInfo info() { return m_traits.solver().info(); }

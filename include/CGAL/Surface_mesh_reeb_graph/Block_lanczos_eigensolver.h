@@ -402,9 +402,7 @@ private:
     result.values = m_ritz_values.head(number).unaryExpr(
         [this](double nu) { return m_operator.to_eigenvalue(nu); });
     result.vectors = m_basis.product(m_ritz_vectors.leftCols(number));
-    m_operator.for_blocks_of_columns(result.vectors,
-                                     [this](Row_block& y) { m_operator.to_eigenfunctions(y); });
-    result.vectors *= m_ritz_values.head(number).cwiseInverse().asDiagonal();
+    m_operator.to_eigenfunctions(result.vectors, m_ritz_values.head(number));
     m_options.report_progress(1);
     return result;
   }

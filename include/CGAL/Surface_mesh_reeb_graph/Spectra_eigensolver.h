@@ -122,9 +122,7 @@ private:
     result.values =
         m_nu.head(number).unaryExpr([this](double nu) { return m_operator.to_eigenvalue(nu); });
     result.vectors = m_found.leftCols(number);
-    m_operator.for_blocks_of_columns(
-        result.vectors, [this](internal::Row_block& y) { m_operator.to_eigenfunctions(y); });
-    result.vectors *= m_nu.head(number).cwiseInverse().asDiagonal();
+    m_operator.to_eigenfunctions(result.vectors, m_nu.head(number));
     m_options.report_progress(1);
     return result;
   }

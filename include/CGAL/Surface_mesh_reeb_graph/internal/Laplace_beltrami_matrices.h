@@ -18,7 +18,10 @@
 #include <Eigen/Core>
 #include <Eigen/Sparse>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -43,6 +46,96 @@ struct Laplace_beltrami_matrices
   double area = 0;      // their sum, in squared units
 };
 
+// Makes a stiffness matrix from the weights of the sides of triangles: an entry is at most the sum of two. Every
+// column has room for all that its triangles add to it, so that nothing has to be sorted but short columns.
+class Stiffness_assembly
+{
+public:
+  Stiffness_assembly(Eigen::Index n,
+                     const std::vector<Intrinsic_triangulation::Triangle>& triangles)
+    : m_diagonal(Eigen::VectorXd::Zero(n)), m_end(static_cast<std::size_t>(n) + 1, 0)
+  {
+    for (const Intrinsic_triangulation::Triangle& triangle : triangles)
+      for (const std::uint32_t corner : triangle.corners)
+        m_end[corner + 1] += 2;
+    for (std::size_t i = 1; i < m_end.size(); ++i)
+      m_end[i] += m_end[i - 1];
+    m_begin = m_end;
+    m_entries.resize(m_end.back());
+    m_end.pop_back(); // the end of every column so far, in the order of the columns
+  }
+
+  void add_edge(std::uint32_t u, std::uint32_t v, double weight)
+  {
+    if (u == v)
+      return; // functions do not differ between the ends of such an edge
+    m_entries[m_end[u]++] = {v, -weight};
+    m_entries[m_end[v]++] = {u, -weight};
+    m_diagonal[u] += weight;
+    m_diagonal[v] += weight;
+  }
+
+  void write(Eigen::SparseMatrix<double>& matrix)
+  {
+    const Eigen::Index n = m_diagonal.size();
+    std::size_t size = static_cast<std::size_t>(n);
+    for (std::size_t j = 0; j < m_end.size(); ++j) {
+      m_end[j] =
+          sum_up(m_entries.data() + m_begin[j], m_entries.data() + m_end[j]) - m_entries.data();
+      size += m_end[j] - m_begin[j];
+    }
+    matrix.resize(n, n);
+    matrix.reserve(static_cast<Eigen::Index>(size));
+    for (Eigen::Index j = 0; j < n; ++j) {
+      matrix.startVec(j);
+      bool has_diagonal = false;
+      const auto insert_diagonal = [&]() {
+        matrix.insertBack(j, j) = m_diagonal[j];
+        has_diagonal = true;
+      };
+      for (std::size_t k = m_begin[static_cast<std::size_t>(j)];
+           k < m_end[static_cast<std::size_t>(j)];
+           ++k)
+      {
+        if (!has_diagonal && static_cast<Eigen::Index>(m_entries[k].row) > j)
+          insert_diagonal();
+        matrix.insertBack(m_entries[k].row, j) = m_entries[k].value;
+      }
+      if (!has_diagonal)
+        insert_diagonal();
+    }
+    matrix.finalize();
+  }
+
+private:
+  struct Entry
+  {
+    std::uint32_t row;
+    double value;
+  };
+
+  // Sorts entries by their rows, and puts those of one row together; returns the new end.
+  static Entry* sum_up(Entry* begin, Entry* end)
+  {
+    std::sort(begin, end, [](const Entry& a, const Entry& b) {
+      // values, too, so that the order of summation does not depend on that of the triangles
+      return std::tie(a.row, a.value) < std::tie(b.row, b.value);
+    });
+    Entry* last = begin;
+    for (Entry* entry = begin; entry != end; ++entry) {
+      if (last != begin && (last - 1)->row == entry->row)
+        (last - 1)->value += entry->value;
+      else
+        *last++ = *entry;
+    }
+    return last;
+  }
+
+  Eigen::VectorXd m_diagonal;
+  std::vector<std::size_t> m_begin, m_end; // of the entries of every column outside of the diagonal
+  std::vector<Entry> m_entries;
+};
+
 // A component without extent (all edges of length 0, or no faces) gives matrices with `area == 0`.
 template <class TriangleMesh, class VertexPointMap>
 Laplace_beltrami_matrices laplace_beltrami_matrices(const TriangleMesh& tmesh,
@@ -61,27 +154,18 @@ Laplace_beltrami_matrices laplace_beltrami_matrices(const TriangleMesh& tmesh,
   Laplace_beltrami_matrices result;
   const Eigen::Index n = static_cast<Eigen::Index>(components[component_number].vertices.size());
   result.unit = triangulation.unit;
-  result.stiffness.resize(n, n);
   result.mass = Eigen::VectorXd::Zero(n);
-  std::vector<Eigen::Triplet<double>> triplets;
-  triplets.reserve(12 * triangulation.triangles.size());
+  Stiffness_assembly assembly(n, triangulation.triangles);
   for (const Intrinsic_triangulation::Triangle& triangle : triangulation.triangles) {
     const Intrinsic_triangle t(triangle.lengths);
     result.area += t.area();
     for (int i = 0; i < 3; ++i) {
       result.mass[triangle.corners[i]] += t.mixed_voronoi_area(i);
-      const int u = static_cast<int>(triangle.corners[(i + 1) % 3]);
-      const int v = static_cast<int>(triangle.corners[(i + 2) % 3]);
-      if (u == v)
-        continue; // functions do not differ between the ends of such an edge
-      const double weight = t.cotangent(i) / 2;
-      triplets.emplace_back(u, v, -weight);
-      triplets.emplace_back(v, u, -weight);
-      triplets.emplace_back(u, u, weight);
-      triplets.emplace_back(v, v, weight);
+      assembly.add_edge(
+          triangle.corners[(i + 1) % 3], triangle.corners[(i + 2) % 3], t.cotangent(i) / 2);
     }
   }
-  result.stiffness.setFromTriplets(triplets.begin(), triplets.end());
+  assembly.write(result.stiffness);
   return result;
 }
 

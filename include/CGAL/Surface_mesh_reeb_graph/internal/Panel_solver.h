@@ -11,8 +11,11 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PANEL_SOLVER_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/avx2_kernels.h>
 
 #include <Eigen/Core>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -47,6 +50,11 @@ public:
   void backward(Scalar* x, const Scalar* y) const
   {
     Index j = m_width;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+    if constexpr (std::is_same_v<Scalar, double> && Columns == 8)
+      for (; has_avx2() && j >= 4; j -= 4)
+        backward_columns<4>(j - 4, x, y);
+#endif
     for (; j >= 2; j -= 2)
       backward_columns<2>(j - 2, x, y);
     if (j > 0)
@@ -54,7 +62,10 @@ public:
   }
 
 private:
-  const Scalar* column(const Index j) const { return m_panel + j * m_rows; }
+  const Scalar* column(const Index j) const
+  {
+    return m_panel + j * m_rows;
+  }
 
   template <int Number>
   void forward_columns(const Index j, Scalar* x, Scalar* y) const
@@ -94,6 +105,13 @@ private:
         result -= term(0);
       return;
     }
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+    if constexpr (std::is_same_v<Scalar, double> && Columns == 8 && Number == 4)
+      if (has_avx2()) {
+        avx2::subtract_four_columns(l, m_rows, rows, x, to);
+        return;
+      }
+#endif
     for (Index i = 0; i < rows; ++i, ++l, to += Columns) {
       Row row = Row::load(to);
       row.subtract(l[0], Row::load(x));
@@ -135,6 +153,12 @@ private:
         to[k] -= Eigen::Map<const Vector>(l + k * m_rows, rows).dot(rhs);
       return;
     }
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+    if constexpr (Number == 4) { // nothing else comes here with four columns
+      avx2::subtract_four_transposed_columns(l, m_rows, rows, y, to);
+      return;
+    }
+#endif
     Row first = Row::load(to);
     Row last = Row::load(to + (Number - 1) * Columns);
     for (Index i = 0; i < rows; ++i, ++l, y += Columns) {

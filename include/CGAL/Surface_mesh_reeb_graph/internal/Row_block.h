@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ROW_BLOCK_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ROW_BLOCK_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/avx2_kernels.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -38,6 +40,12 @@ using Tile_row = Eigen::Array<double, tile_width, 1>;
 inline void
 add_transposed_product(const double* v, const double* w, Eigen::Index rows, Block_coefficients& c)
 {
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+  if (has_avx2()) {
+    avx2::add_transposed_product(v, w, rows, c.data());
+    return;
+  }
+#endif
   static_assert(tile_width == 4, "the loop is unrolled for four columns of v");
   for (int i = 0; i < block_width; i += tile_width) {
     for (int j = 0; j < block_width; j += tile_width) {
@@ -68,6 +76,10 @@ subtract_product(double* w, const double* v, Eigen::Index rows, const Block_coef
   using Row = Eigen::Map<Tile_row, Eigen::Aligned16>;
   using Const_row = Eigen::Map<const Tile_row, Eigen::Aligned16>;
   Eigen::Index row = 0;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+  if (has_avx2())
+    row = avx2::subtract_product(w, v, rows, c.data());
+#endif
   for (; row + 2 <= rows; row += 2) {
     const double* v_row = v + block_width * row;
     for (int j = 0; j < block_width; j += tile_width) {
@@ -157,8 +169,10 @@ public:
   Eigen::MatrixXd product(const Eigen::MatrixXd& q) const
   {
     Eigen::MatrixXd result(m_blocks.front().rows(), q.cols());
-    for_products(q, [&result](Eigen::Index row, const Eigen::MatrixXd& rows) {
-      result.middleRows(row, rows.rows()) = rows;
+    for_products(q, [&result](Eigen::Index row, Eigen::Index block, const Row_block& rows) {
+      const Eigen::Index column = block_width * block,
+                         width = (std::min)(Eigen::Index(block_width), result.cols() - column);
+      result.block(row, column, rows.rows(), width) = rows.leftCols(width);
     });
     return result;
   }
@@ -167,29 +181,45 @@ public:
   void multiply_from_right(const Eigen::MatrixXd& q)
   {
     const Eigen::Index number = q.cols() / block_width;
-    for_products(q, [this, number](Eigen::Index row, const Eigen::MatrixXd& rows) {
-      for (Eigen::Index i = 0; i < number; ++i)
-        m_blocks[static_cast<std::size_t>(i)].middleRows(row, rows.rows()) =
-            rows.middleCols<block_width>(block_width * i);
+    for_products(q, [this](Eigen::Index row, Eigen::Index block, const Row_block& rows) {
+      m_blocks[static_cast<std::size_t>(block)].middleRows(row, rows.rows()) = rows;
     });
     erase(number, q.rows() / block_width);
   }
 
 private:
-  // Calls `function` with rows of the product, and the number of the first one, until it has seen
-  // all.
+  // Calls `function` with rows of a block of the product, the number of the first row and that of the block, until it
+  // has seen all. The blocks of the same rows come one after the other.
   template <class Function>
   void for_products(const Eigen::MatrixXd& q, const Function& function) const
   {
     const Eigen::Index number = q.rows() / block_width, n = m_blocks.front().rows();
-    Eigen::MatrixXd rows, product_rows;
+    // the coefficients of every block of the product, with the sign that the kernel wants
+    const Eigen::Index number_of_products = (q.cols() + block_width - 1) / block_width;
+    std::vector<Block_coefficients> minus_q(static_cast<std::size_t>(number * number_of_products),
+                                            Block_coefficients::Zero());
+    for (Eigen::Index j = 0; j < number_of_products; ++j)
+      for (Eigen::Index i = 0; i < number; ++i) {
+        const Eigen::Index width =
+            (std::min)(Eigen::Index(block_width), q.cols() - block_width * j);
+        minus_q[static_cast<std::size_t>(j * number + i)].leftCols(width) =
+            -q.block(block_width * i, block_width * j, block_width, width);
+      }
+    std::vector<Row_block> products(static_cast<std::size_t>(number_of_products));
     for (Eigen::Index row = 0; row < n; row += rows_in_cache) {
       const Eigen::Index size = (std::min)(rows_in_cache, n - row);
-      rows.resize(size, q.rows());
-      for (Eigen::Index i = 0; i < number; ++i)
-        rows.middleCols<block_width>(block_width * i) = (*this)[i].middleRows(row, size);
-      product_rows.noalias() = rows * q;
-      function(row, product_rows);
+      for (Eigen::Index j = 0; j < number_of_products; ++j) {
+        Row_block& product = products[static_cast<std::size_t>(j)];
+        product.setZero(size, block_width);
+        for (Eigen::Index i = 0; i < number; ++i)
+          subtract_product(product.data(),
+                           (*this)[i].data() + block_width * row,
+                           size,
+                           minus_q[static_cast<std::size_t>(j * number + i)]);
+      }
+      // not before: the product may take the place of what it is made from
+      for (Eigen::Index j = 0; j < number_of_products; ++j)
+        function(row, j, products[static_cast<std::size_t>(j)]);
     }
   }
 

@@ -55,8 +55,25 @@ struct Solves_in_place<SolverTraits,
 {
 };
 
+// ... or does so in an order of the rows that suits it, as `Supernodal_cholesky`.
+template <class SolverTraits, class = void>
+struct Solves_permuted : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_permuted<
+    SolverTraits,
+    std::void_t<decltype(std::declval<SolverTraits&>().solver().permutationP().indices()),
+                decltype(std::declval<SolverTraits&>().solver().solve_permuted_in_place(
+                    std::declval<Row_block&>()))>> : std::true_type
+{
+};
+
 // `A = M^1/2 (L + sigma M)^-1 M^1/2`. Its eigenvalues are `nu = 1 / (lambda + sigma)` for those of
 // `L psi = lambda M psi`, and infinitely large lambda (nu = 0) for vertices without mass.
+//
+// Vectors that A is applied to have their rows in an order of its own: that of the factor, if the solver can do with
+// it. Eigenfunctions have them in the order of L and M.
 template <class SolverTraits>
 class Shift_inverted_operator
 {
@@ -86,6 +103,8 @@ public:
     double determinant;
     if (!m_solver.factor(m_shifted, determinant))
       throw Reeb_graph_error("the factorization of the shifted stiffness matrix failed");
+    if constexpr (Solves_permuted<SolverTraits>::value)
+      m_sqrt_mass = (m_solver.solver().permutationP() * m_sqrt_mass).eval();
   }
 
   Eigen::Index rows() const { return m_sqrt_mass.size(); }
@@ -106,13 +125,24 @@ public:
     y = m_sqrt_mass.cwiseProduct(y);
   }
 
-  // An eigenvector y of A gives the eigenfunction `psi = M^-1/2 y`, which says nothing where M is
-  // zero. One more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere,
-  // and takes out most of the error of y, which is in the directions that A makes small.
-  void to_eigenfunctions(Row_block& y)
+  // Replaces eigenvectors y of A, with the eigenvalues nu, by eigenfunctions. `psi = M^-1/2 y` would say nothing where M
+  // is zero. One more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out
+  // most of the error of y, which is in the directions that A makes small.
+  void to_eigenfunctions(Eigen::MatrixXd& vectors, const Eigen::VectorXd& nu)
   {
-    y.array().colwise() *= m_sqrt_mass.array();
-    solve(y);
+    Row_block block(rows(), block_width);
+    for (Eigen::Index j = 0; j < vectors.cols(); j += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), vectors.cols() - j);
+      block.rightCols(block_width - width).setZero();
+      block.leftCols(width) = vectors.middleCols(j, width);
+      block.array().colwise() *= m_sqrt_mass.array();
+      solve(block);
+      for (Eigen::Index k = 0; k < width; ++k) {
+        const double scale = 1 / nu[j + k];
+        for (Eigen::Index i = 0; i < rows(); ++i)
+          vectors(i, j + k) = scale * block(own_row(i), k);
+      }
+    }
   }
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
 
@@ -128,7 +158,14 @@ public:
   Eigenpairs dense_eigenpairs(Eigen::Index number)
   {
     Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
-    for_blocks_of_columns(a, [this](Row_block& x) { apply(x); });
+    Row_block block(rows(), block_width);
+    for (Eigen::Index j = 0; j < a.cols(); j += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), a.cols() - j);
+      block.rightCols(block_width - width).setZero();
+      block.leftCols(width) = a.middleCols(j, width);
+      apply(block);
+      a.middleCols(j, width) = block.leftCols(width);
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
     if (solver.info() != Eigen::Success)
       throw Reeb_graph_error("the dense eigensolver did not converge");
@@ -143,30 +180,26 @@ public:
     const Eigen::VectorXd nu = solver.eigenvalues().tail(number).reverse();
     result.values = nu.unaryExpr([this](double x) { return to_eigenvalue(x); });
     result.vectors = solver.eigenvectors().rightCols(number).rowwise().reverse();
-    for_blocks_of_columns(result.vectors, [this](Row_block& y) { to_eigenfunctions(y); });
-    result.vectors *= nu.cwiseInverse().asDiagonal();
+    to_eigenfunctions(result.vectors, nu);
     return result;
   }
 
-  // Calls `function` for eight columns of `matrix` after the other, as blocks that it changes; the
-  // last block is filled up with zeros.
-  template <class Function>
-  static void for_blocks_of_columns(Eigen::MatrixXd& matrix, const Function& function)
+private:
+  // The row of a vertex in the order of the operator.
+  Eigen::Index own_row(Eigen::Index i)
   {
-    Row_block block(matrix.rows(), block_width);
-    for (Eigen::Index j = 0; j < matrix.cols(); j += block_width) {
-      const Eigen::Index width = (std::min)(Eigen::Index(block_width), matrix.cols() - j);
-      block.rightCols(block_width - width).setZero();
-      block.leftCols(width) = matrix.middleCols(j, width);
-      function(block);
-      matrix.middleCols(j, width) = block.leftCols(width);
-    }
+    if constexpr (Solves_permuted<SolverTraits>::value)
+      return m_solver.solver().permutationP().indices()[i];
+    else
+      return i;
   }
 
-private:
   void solve(Row_block& x)
   {
-    if constexpr (Solves_in_place<SolverTraits>::value) {
+    if constexpr (Solves_permuted<SolverTraits>::value) {
+      m_solver.solver().solve_permuted_in_place(x);
+      check(m_solver.solver().info() == Eigen::Success);
+    } else if constexpr (Solves_in_place<SolverTraits>::value) {
       m_solver.solver().solve_in_place(x);
       check(m_solver.solver().info() == Eigen::Success);
     } else if constexpr (Solves_matrices<SolverTraits>::value) {
@@ -186,10 +219,10 @@ private:
   void solve(Column& x)
   {
     for (Eigen::Index i = 0; i < rows(); ++i)
-      m_right_hand_side.set(i, x[i]);
+      m_right_hand_side.set(i, x[own_row(i)]);
     check(m_solver.linear_solver(m_right_hand_side, m_solution));
     for (Eigen::Index i = 0; i < rows(); ++i)
-      x[i] = m_solution[i];
+      x[own_row(i)] = m_solution[i];
   }
 
   static void check(bool success)

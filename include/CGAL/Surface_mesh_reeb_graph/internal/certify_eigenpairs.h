@@ -37,7 +37,8 @@ inline Eigen::VectorXd relative_residuals(const Eigen::SparseMatrix<double>& sti
 }
 
 // The largest entry of `|Psi^T M Psi - I|`.
-inline double orthonormality_error(const Eigen::VectorXd& mass, const Eigen::MatrixXd& psi)
+inline double
+orthonormality_error(const Eigen::VectorXd& mass, const Eigen::Ref<const Eigen::MatrixXd>& psi)
 {
   // Rows of some hundred functions that stay in the cache while all of them meet all others.
   constexpr Eigen::Index rows_in_cache = 512;
