@@ -4,8 +4,8 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-requirements="a C++17 compiler, CMake >= 3.22, make, CGAL >= 5.5, Eigen >= 3.4, Spectra >= 1.0, \
-Boost >= 1.74 (with Program_options, and Test for the tests) and nlohmann-json >= 3"
+requirements="a C++17 compiler, CMake >= 3.22, make, CGAL >= 5.5, Eigen >= 3.4, \
+Boost >= 1.74 (with Program_options) and nlohmann-json >= 3; for the tests Boost.Test and Spectra >= 1.0"
 
 start_log()
 {

@@ -18,7 +18,7 @@ if [ "$#" -eq 1 ] && [ ! -r "$1" ]; then
 fi
 
 start_log "$root/build/examples_run.log"
-install_missing g++ cmake make libcgal-dev libeigen3-dev libspectra-dev libboost-dev \
+install_missing g++ cmake make libcgal-dev libeigen3-dev libboost-dev \
   libboost-graph-dev libboost-program-options-dev nlohmann-json3-dev
 if [ "$#" -eq 1 ]; then
   mesh=$1

@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_interrupted.h>
+#include <CGAL/Surface_mesh_reeb_graph/Supernodal_cholesky.h>
 #include <CGAL/Surface_mesh_reeb_graph/commute_time_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>

@@ -1906,7 +1906,6 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_dense_matrices)
     BOOST_TEST((rest - (w - v * c)).cwiseAbs().maxCoeff() <= rounding * (1 + c.norm()));
 
     const Eigen::MatrixXd q = random_matrix(8 * number, 8 * (1 + number / 2));
-    BOOST_TEST((basis.product(q) - v * q).cwiseAbs().maxCoeff() <= rounding);
     basis.multiply_from_right(q);
     BOOST_REQUIRE_EQUAL(basis.size(), 1 + number / 2);
     for (Eigen::Index i = 0; i < basis.size(); ++i)

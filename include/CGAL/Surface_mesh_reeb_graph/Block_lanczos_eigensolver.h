@@ -54,7 +54,7 @@ size. Beside the factor and the result it holds about two and a half vectors for
 wanted, 8 bytes per vertex each.
 
 \tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
-        `CGAL::Eigen_solver_traits` with `Eigen::SimplicialLDLT`
+        `CGAL::Eigen_solver_traits` with `Supernodal_cholesky`
 
 \cgalModels `LaplaceBeltramiEigensolver`
 
@@ -170,8 +170,8 @@ private:
   {
     m_options.report_progress(m_progress);
     const Eigen::Index p = m_processed;
-    Row_block w = m_basis[p];
-    m_operator.apply(w);
+    Row_block w = m_basis.new_block(m_operator.rows());
+    m_operator.apply(m_basis[p], w);
     // What T says already goes first, and then what cancels most: the coefficients of the pending
     // blocks.
     for (Eigen::Index i = 0; i < p; ++i)
@@ -258,7 +258,7 @@ private:
 
   void insert_random_block(Eigen::Index position)
   {
-    Row_block w(m_operator.rows(), width);
+    Row_block w = m_basis.new_block(m_operator.rows());
     for (Eigen::Index i = 0; i < w.rows(); ++i)
       for (Eigen::Index j = 0; j < width; ++j)
         w(i, j) = m_random.next();
@@ -401,8 +401,18 @@ private:
     result.have_converged = have_converged;
     result.values = m_ritz_values.head(number).unaryExpr(
         [this](double nu) { return m_operator.to_eigenvalue(nu); });
-    result.vectors = m_basis.product(m_ritz_vectors.leftCols(number));
-    m_operator.to_eigenfunctions(result.vectors, m_ritz_values.head(number));
+    if (number > 0) {
+      keep_largest((number + width - 1) / width); // the basis itself has the eigenvectors then
+      result.vectors.resize(m_operator.rows(), number);
+      Row_block y = m_basis.new_block(m_operator.rows());
+      m_basis.free_spare_memory();
+      for (Eigen::Index j = 0; j < number; j += width) {
+        const Eigen::Index size = (std::min)(width, number - j);
+        y = m_basis[j / width];
+        m_operator.to_eigenfunctions(
+            y, m_ritz_values.segment(j, size), result.vectors.middleCols(j, size));
+      }
+    }
     m_options.report_progress(1);
     return result;
   }

@@ -393,7 +393,7 @@ private:
     if (matrices.area > 0) {
       const Eigen::Index wanted = static_cast<Eigen::Index>(
           (std::min)(number_of_eigenpairs, static_cast<long long>(n) - 1));
-      const Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
+      Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
       if (!pairs.have_converged && !accept_converged_part) {
         std::ostringstream message;
         message << "the eigensolver did not converge: it found "
@@ -401,7 +401,8 @@ private:
                 << " eigenpairs";
         throw Reeb_graph_error(message.str());
       }
-      take_pairs(basis, matrices, pairs, options.residual_tolerance, accept_converged_part);
+      take_pairs(
+          basis, matrices, std::move(pairs), options.residual_tolerance, accept_converged_part);
       basis.unit = matrices.unit;
       basis.area = matrices.area;
     }
@@ -447,7 +448,7 @@ private:
 
   void take_pairs(Basis& basis,
                   const internal::Laplace_beltrami_matrices& matrices,
-                  const Eigenpairs& pairs,
+                  Eigenpairs&& pairs,
                   double tolerance,
                   bool accept_converged_part)
   {
@@ -471,14 +472,6 @@ private:
               << ", which is more than the tolerance " << tolerance;
       throw Reeb_graph_error(message.str());
     }
-    basis.eigenvalues = pairs.values.segment(1, size - 1);
-    basis.eigenfunctions = pairs.vectors.middleCols(1, size - 1);
-    for (auto psi : basis.eigenfunctions.colwise()) {
-      Eigen::Index largest;
-      psi.cwiseAbs().maxCoeff(&largest);
-      if (psi[largest] < 0)
-        psi = -psi;
-    }
     if (size > 1)
       m_residual = (std::max)(m_residual, residuals.segment(1, size - 1).maxCoeff());
     m_orthonormality_error =
@@ -486,6 +479,19 @@ private:
                    internal::orthonormality_error(matrices.mass, pairs.vectors.leftCols(size)));
     m_null_space_residual =
         (std::max)(m_null_space_residual, internal::null_space_residual(matrices.stiffness));
+
+    // without the constant function, and without a second matrix of this size
+    basis.eigenvalues = pairs.values.segment(1, size - 1);
+    for (Eigen::Index i = 1; i < size; ++i)
+      pairs.vectors.col(i - 1) = pairs.vectors.col(i);
+    pairs.vectors.conservativeResize(Eigen::NoChange, size - 1);
+    basis.eigenfunctions = std::move(pairs.vectors);
+    for (auto psi : basis.eigenfunctions.colwise()) {
+      Eigen::Index largest;
+      psi.cwiseAbs().maxCoeff(&largest);
+      if (psi[largest] < 0)
+        psi = -psi;
+    }
   }
 
   template <class Factors>

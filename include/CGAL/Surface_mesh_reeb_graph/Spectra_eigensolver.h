@@ -40,7 +40,7 @@ one vector at a time.
 
 It gives the same eigenpairs as `Block_lanczos_eigensolver`, in 1.6 times its time on large
 meshes. The header is not among those that `<CGAL/surface_mesh_reeb_graph.h>` includes, since it
-needs Spectra.
+needs Spectra: with CMake, link to `Spectra::Spectra`.
 
 \tparam SolverTraits as in `Block_lanczos_eigensolver`
 

@@ -114,11 +114,13 @@ inline Block_coefficients transposed_product(const Row_block& v, const Row_block
 // `w = w c`
 inline void multiply_from_right(Row_block& w, const Block_coefficients& c)
 {
-  Row_block rows;
+  const Block_coefficients minus_c = -c;
+  Row_block product;
   for (Eigen::Index row = 0; row < w.rows(); row += rows_in_cache) {
     auto part = w.middleRows(row, (std::min)(rows_in_cache, w.rows() - row));
-    rows.noalias() = part * c;
-    part = rows;
+    product.setZero(part.rows(), block_width);
+    subtract_product(product.data(), w.data() + block_width * row, part.rows(), minus_c);
+    part = product;
   }
 }
 
@@ -140,8 +142,22 @@ public:
   }
   void erase(Eigen::Index begin, Eigen::Index end)
   {
+    for (Eigen::Index i = begin; i < end; ++i)
+      m_spare.push_back(std::move(m_blocks[static_cast<std::size_t>(i)]));
     m_blocks.erase(m_blocks.begin() + begin, m_blocks.begin() + end);
   }
+
+  // A block to be filled. Memory of blocks that were erased is used again: the system takes longer to clear new memory
+  // than most products take.
+  Row_block new_block(Eigen::Index rows)
+  {
+    if (m_spare.empty())
+      return Row_block(rows, block_width);
+    Row_block result = std::move(m_spare.back());
+    m_spare.pop_back();
+    return result;
+  }
+  void free_spare_memory() { m_spare.clear(); }
 
   // `w -= V (V^T w)`; returns `V^T w`.
   Eigen::MatrixXd project_out_of(Row_block& w) const
@@ -165,65 +181,40 @@ public:
     return result;
   }
 
-  // The product of the first blocks, as many as `q` has rows for, with `q`.
-  Eigen::MatrixXd product(const Eigen::MatrixXd& q) const
-  {
-    Eigen::MatrixXd result(m_blocks.front().rows(), q.cols());
-    for_products(q, [&result](Eigen::Index row, Eigen::Index block, const Row_block& rows) {
-      const Eigen::Index column = block_width * block,
-                         width = (std::min)(Eigen::Index(block_width), result.cols() - column);
-      result.block(row, column, rows.rows(), width) = rows.leftCols(width);
-    });
-    return result;
-  }
-
-  // Replaces them by it, in place.
+  // Replaces the first blocks, as many as `q` has rows for, by their product with `q`, which has a multiple of eight
+  // columns, not more than rows.
   void multiply_from_right(const Eigen::MatrixXd& q)
   {
-    const Eigen::Index number = q.cols() / block_width;
-    for_products(q, [this](Eigen::Index row, Eigen::Index block, const Row_block& rows) {
-      m_blocks[static_cast<std::size_t>(block)].middleRows(row, rows.rows()) = rows;
-    });
-    erase(number, q.rows() / block_width);
+    const std::size_t number = static_cast<std::size_t>(q.rows() / block_width),
+                      number_of_products = static_cast<std::size_t>(q.cols() / block_width);
+    // by the block of the product, with the sign that the kernel wants
+    std::vector<Block_coefficients> minus_q;
+    for (std::size_t j = 0; j < number_of_products; ++j)
+      for (std::size_t i = 0; i < number; ++i)
+        minus_q.push_back(
+            -q.block<block_width, block_width>(block_width * static_cast<Eigen::Index>(i),
+                                               block_width * static_cast<Eigen::Index>(j)));
+    const Eigen::Index n = m_blocks.front().rows();
+    std::vector<Row_block> products(number_of_products);
+    for (Eigen::Index row = 0; row < n; row += rows_in_cache) {
+      const Eigen::Index size = (std::min)(rows_in_cache, n - row);
+      for (std::size_t j = 0; j < number_of_products; ++j) {
+        products[j].setZero(size, block_width);
+        for (std::size_t i = 0; i < number; ++i)
+          subtract_product(products[j].data(),
+                           m_blocks[i].data() + block_width * row,
+                           size,
+                           minus_q[j * number + i]);
+      }
+      for (std::size_t j = 0; j < number_of_products; ++j)
+        m_blocks[j].middleRows(row, size) = products[j];
+    }
+    erase(static_cast<Eigen::Index>(number_of_products), static_cast<Eigen::Index>(number));
   }
 
 private:
-  // Calls `function` with rows of a block of the product, the number of the first row and that of the block, until it
-  // has seen all. The blocks of the same rows come one after the other.
-  template <class Function>
-  void for_products(const Eigen::MatrixXd& q, const Function& function) const
-  {
-    const Eigen::Index number = q.rows() / block_width, n = m_blocks.front().rows();
-    // the coefficients of every block of the product, with the sign that the kernel wants
-    const Eigen::Index number_of_products = (q.cols() + block_width - 1) / block_width;
-    std::vector<Block_coefficients> minus_q(static_cast<std::size_t>(number * number_of_products),
-                                            Block_coefficients::Zero());
-    for (Eigen::Index j = 0; j < number_of_products; ++j)
-      for (Eigen::Index i = 0; i < number; ++i) {
-        const Eigen::Index width =
-            (std::min)(Eigen::Index(block_width), q.cols() - block_width * j);
-        minus_q[static_cast<std::size_t>(j * number + i)].leftCols(width) =
-            -q.block(block_width * i, block_width * j, block_width, width);
-      }
-    std::vector<Row_block> products(static_cast<std::size_t>(number_of_products));
-    for (Eigen::Index row = 0; row < n; row += rows_in_cache) {
-      const Eigen::Index size = (std::min)(rows_in_cache, n - row);
-      for (Eigen::Index j = 0; j < number_of_products; ++j) {
-        Row_block& product = products[static_cast<std::size_t>(j)];
-        product.setZero(size, block_width);
-        for (Eigen::Index i = 0; i < number; ++i)
-          subtract_product(product.data(),
-                           (*this)[i].data() + block_width * row,
-                           size,
-                           minus_q[static_cast<std::size_t>(j * number + i)]);
-      }
-      // not before: the product may take the place of what it is made from
-      for (Eigen::Index j = 0; j < number_of_products; ++j)
-        function(row, j, products[static_cast<std::size_t>(j)]);
-    }
-  }
-
   std::vector<Row_block> m_blocks;
+  std::vector<Row_block> m_spare;
 };
 
 } // namespace internal

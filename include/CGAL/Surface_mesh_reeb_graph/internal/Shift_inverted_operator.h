@@ -109,12 +109,12 @@ public:
 
   Eigen::Index rows() const { return m_sqrt_mass.size(); }
 
-  // `x = A x`
-  void apply(Row_block& x)
+  // `y = A x`
+  void apply(const Row_block& x, Row_block& y)
   {
-    x.array().colwise() *= m_sqrt_mass.array();
-    solve(x);
-    x.array().colwise() *= m_sqrt_mass.array();
+    y = m_sqrt_mass.asDiagonal() * x;
+    solve(y);
+    y.array().colwise() *= m_sqrt_mass.array();
   }
   void apply(const double* x_in, double* y_out)
   {
@@ -125,9 +125,20 @@ public:
     y = m_sqrt_mass.cwiseProduct(y);
   }
 
-  // Replaces eigenvectors y of A, with the eigenvalues nu, by eigenfunctions. `psi = M^-1/2 y` would say nothing where M
-  // is zero. One more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out
-  // most of the error of y, which is in the directions that A makes small.
+  // Writes the eigenfunctions that belong to eigenvectors y of A with the eigenvalues nu to the columns of `psi`, as many
+  // as these are. `psi = M^-1/2 y` would say nothing where M is zero. One more application of A,
+  // `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out most of the error of y, which is in the
+  // directions that A makes small. `y` is changed.
+  template <class Columns>
+  void to_eigenfunctions(Row_block& y, const Eigen::VectorXd& nu, Columns psi)
+  {
+    y.array().colwise() *= m_sqrt_mass.array();
+    solve(y);
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      psi.row(i) = y.row(own_row(i)).head(psi.cols());
+    psi *= nu.cwiseInverse().asDiagonal();
+  }
+
   void to_eigenfunctions(Eigen::MatrixXd& vectors, const Eigen::VectorXd& nu)
   {
     Row_block block(rows(), block_width);
@@ -135,13 +146,7 @@ public:
       const Eigen::Index width = (std::min)(Eigen::Index(block_width), vectors.cols() - j);
       block.rightCols(block_width - width).setZero();
       block.leftCols(width) = vectors.middleCols(j, width);
-      block.array().colwise() *= m_sqrt_mass.array();
-      solve(block);
-      for (Eigen::Index k = 0; k < width; ++k) {
-        const double scale = 1 / nu[j + k];
-        for (Eigen::Index i = 0; i < rows(); ++i)
-          vectors(i, j + k) = scale * block(own_row(i), k);
-      }
+      to_eigenfunctions(block, nu.segment(j, width), vectors.middleCols(j, width));
     }
   }
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
@@ -158,13 +163,13 @@ public:
   Eigenpairs dense_eigenpairs(Eigen::Index number)
   {
     Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
-    Row_block block(rows(), block_width);
+    Row_block block(rows(), block_width), product;
     for (Eigen::Index j = 0; j < a.cols(); j += block_width) {
       const Eigen::Index width = (std::min)(Eigen::Index(block_width), a.cols() - j);
       block.rightCols(block_width - width).setZero();
       block.leftCols(width) = a.middleCols(j, width);
-      apply(block);
-      a.middleCols(j, width) = block.leftCols(width);
+      apply(block, product);
+      a.middleCols(j, width) = product.leftCols(width);
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
     if (solver.info() != Eigen::Success)
