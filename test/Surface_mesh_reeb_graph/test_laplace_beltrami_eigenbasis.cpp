@@ -1900,10 +1900,44 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_dense_matrices)
       basis.insert(i, SMRG::internal::Row_block(v.middleCols(8 * i, 8)));
     const double rounding = 8 * epsilon * static_cast<double>(n + 8 * number);
 
+    // the first block with given coefficients, those from `begin` on with the products
     SMRG::internal::Row_block rest = w;
-    const Eigen::MatrixXd c = v.transpose() * w;
-    BOOST_TEST((basis.project_out_of(rest) - c).cwiseAbs().maxCoeff() <= rounding);
-    BOOST_TEST((rest - (w - v * c)).cwiseAbs().maxCoeff() <= rounding * (1 + c.norm()));
+    const SMRG::internal::Block_coefficients known = random_matrix(8, 8);
+    const Eigen::Index begin = number / 2;
+    const auto later = v.rightCols(8 * (number - begin));
+    const Eigen::MatrixXd difference = w - v.leftCols(8) * known;
+    const Eigen::MatrixXd products = later.transpose() * difference;
+    const auto found = basis.subtract_and_project({{0, known}}, begin, rest);
+    for (Eigen::Index i = begin; i < number; ++i)
+      BOOST_TEST((found[static_cast<std::size_t>(i)] - products.middleRows(8 * (i - begin), 8))
+                     .cwiseAbs()
+                     .maxCoeff() <= rounding);
+    BOOST_TEST((rest - (difference - later * products)).cwiseAbs().maxCoeff() <=
+               rounding * (1 + products.norm()));
+
+    // the last block is loose, or none
+    for (const bool is_loose : {false, true}) {
+      Eigen::MatrixXd tight = v;
+      double error = -1, expected_error = 0;
+      if (is_loose) {
+        const auto others = v.leftCols(8 * (number - 1));
+        const Eigen::MatrixXd d = others.transpose() * v.rightCols(8);
+        tight.rightCols(8) -= others * d;
+        expected_error = d.size() == 0 ? 0 : d.cwiseAbs().maxCoeff();
+      }
+      rest = w;
+      const Eigen::MatrixXd c = v.transpose() * w, expected = w - tight * c;
+      const Eigen::MatrixXd square = basis.project_out_of(rest, is_loose ? number - 1 : -1, error);
+      const double bound = rounding * (1 + c.norm()) * (1 + expected_error);
+      BOOST_TEST(std::abs(error - expected_error) <= rounding);
+      BOOST_TEST((rest - expected).cwiseAbs().maxCoeff() <= bound);
+      BOOST_TEST((square - rest.transpose() * rest).cwiseAbs().maxCoeff() <=
+                 rounding * (1 + rest.squaredNorm()));
+      BOOST_TEST((basis[number - 1] - tight.rightCols(8)).cwiseAbs().maxCoeff() <=
+                 rounding * (1 + expected_error));
+      basis.erase(number - 1, number);
+      basis.insert(number - 1, SMRG::internal::Row_block(v.rightCols(8)));
+    }
 
     const Eigen::MatrixXd q = random_matrix(8 * number, 8 * (1 + number / 2));
     basis.multiply_from_right(q);
@@ -1912,6 +1946,66 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_dense_matrices)
       BOOST_TEST((basis[i] - (v * q).middleCols(8 * i, 8)).cwiseAbs().maxCoeff() <= rounding);
   }
 }
+
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+// Those for other instructions than the best that this processor has are used by nothing else here.
+BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
+{
+  namespace internal = SMRG::internal;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::mt19937 rng(29);
+  const auto random_matrix = [&rng](const Eigen::Index rows, const Eigen::Index columns) {
+    return Matrix(Matrix::NullaryExpr(rows, columns, [&rng]() { return random_unit(rng) - 0.5; }));
+  };
+  const auto check = [&](const auto& add_transposed_product,
+                         const auto& subtract_product,
+                         const auto& subtract_four_columns,
+                         const auto& subtract_four_transposed_columns) {
+    for (const Eigen::Index n : {0, 1, 3, 4, 7, 8, 9, 31, 64, 100}) {
+      const double rounding = 8 * epsilon * static_cast<double>(n + 8);
+      const Matrix v = random_matrix(n, 8), w = random_matrix(n, 8), c = random_matrix(8, 8);
+      Matrix product = c;
+      add_transposed_product(v.data(), w.data(), n, product.data());
+      BOOST_TEST((product - (c + v.transpose() * w)).cwiseAbs().maxCoeff() <= rounding);
+
+      Matrix y = w;
+      const Eigen::Index done = subtract_product(y.data(), v.data(), n, c.data());
+      BOOST_TEST(n - done < 8);
+      if (done > 0)
+        BOOST_TEST((y - (w - v * c)).topRows(done).cwiseAbs().maxCoeff() <= rounding);
+      BOOST_TEST((y.bottomRows(n - done).array() == w.bottomRows(n - done).array()).all());
+
+      // columns that are longer than what is used of them
+      const Eigen::MatrixXd l = random_matrix(n + 3, 4);
+      const Matrix x = random_matrix(4, 8);
+      y = w;
+      subtract_four_columns(l.data(), n + 3, n, x.data(), y.data());
+      if (n > 0)
+        BOOST_TEST((y - (w - l.topRows(n) * x)).cwiseAbs().maxCoeff() <= rounding);
+      Matrix z = x;
+      subtract_four_transposed_columns(l.data(), n + 3, n, w.data(), z.data());
+      BOOST_TEST((z - (x - l.topRows(n).transpose() * w)).cwiseAbs().maxCoeff() <= rounding);
+    }
+  };
+  int number = 0;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    check(internal::avx2::add_transposed_product,
+          internal::avx2::subtract_product,
+          internal::avx2::subtract_four_columns,
+          internal::avx2::subtract_four_transposed_columns);
+    ++number;
+  }
+  if (internal::x86::has_avx512()) {
+    check(internal::avx512::add_transposed_product,
+          internal::avx512::subtract_product,
+          internal::avx512::subtract_four_columns,
+          internal::avx512::subtract_four_transposed_columns);
+    ++number;
+  }
+  BOOST_TEST_MESSAGE(number << " instruction sets");
+  BOOST_TEST(internal::x86::has_kernels() == (number > 0));
+}
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()
 

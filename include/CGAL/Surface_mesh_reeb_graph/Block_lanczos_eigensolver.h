@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Random_numbers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Row_block.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Shift_inverted_operator.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/huge_pages.h>
 
 #include <CGAL/assertions.h>
 
@@ -166,59 +167,82 @@ private:
 
   // Multiplies the first pending block by A, and puts what is orthogonal to the basis at
   // `position`.
+  //
+  // What T says about the product is subtracted anyway, and leaves errors of rounding, which grow by
+  // the ratio of the largest eigenvalues to the coupling of the blocks from step to step. So every
+  // other block stays loose: it is made orthogonal to all others together with the next one, which
+  // reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence T by their
+  // square only.
   void multiply_next(Eigen::Index position)
   {
+    constexpr double harmless = 1e-7;
     m_options.report_progress(m_progress);
     const Eigen::Index p = m_processed;
     Row_block w = m_basis.new_block(m_operator.rows());
-    m_operator.apply(m_basis[p], w);
-    // What T says already goes first, and then what cancels most: the coefficients of the pending
-    // blocks.
-    for (Eigen::Index i = 0; i < p; ++i)
-      if (!coefficients(i, p).isZero(0))
-        subtract(w, i, coefficients(i, p));
-    for (Eigen::Index i = p; i < m_basis.size(); ++i) {
-      Block_coefficients c = internal::transposed_product(m_basis[i], w);
-      subtract(w, i, c);
-      if (i == p)
-        c = (c + c.transpose()).eval() / 2;
-      coefficients(i, p) = c;
-      coefficients(p, i) = c.transpose();
+    multiply(p, w);
+    Block_coefficients rest = Block_coefficients::Identity();
+    const bool is_loose = m_may_be_loose && !m_is_loose && p + 1 == m_basis.size() &&
+                          normalize(w, internal::transposed_product(w, w), rest);
+    if (!is_loose) {
+      double error = 0;
+      rest = orthonormalize(w, error) * rest;
+      if (error > harmless) {
+        m_may_be_loose = false;
+        multiply(p, w);
+        rest = orthonormalize(w, error);
+      }
     }
-    m_scale = (std::max)(m_scale, coefficients(p, p).diagonal().cwiseAbs().maxCoeff());
-    const Block_coefficients rest = orthonormalize(w);
+    m_is_loose = is_loose;
     ++m_processed;
     insert(position, std::move(w));
     coefficients(position, p) = rest;
     coefficients(p, position) = rest.transpose();
   }
 
-  void subtract(Row_block& w, Eigen::Index i, const Block_coefficients& c) const
+  // `w = A V_p`, without what is in the blocks that T tells about and in the pending ones, whose
+  // coefficients become known.
+  void multiply(Eigen::Index p, Row_block& w)
   {
-    internal::subtract_product(w.data(), m_basis[i].data(), w.rows(), c);
+    m_operator.apply(m_basis[p], w);
+    // What T says already goes first, and then what cancels most: the coefficients of the pending
+    // blocks.
+    std::vector<std::pair<Eigen::Index, Block_coefficients>> known;
+    for (Eigen::Index i = 0; i < p; ++i)
+      if (!coefficients(i, p).isZero(0))
+        known.emplace_back(i, coefficients(i, p));
+    const std::vector<Block_coefficients> c = m_basis.subtract_and_project(known, p, w);
+    for (Eigen::Index i = p; i < m_basis.size(); ++i) {
+      Block_coefficients c_i = c[static_cast<std::size_t>(i)];
+      if (i == p)
+        c_i = (c_i + c_i.transpose()).eval() / 2;
+      coefficients(i, p) = c_i;
+      coefficients(p, i) = c_i.transpose();
+    }
+    m_scale = (std::max)(m_scale, coefficients(p, p).diagonal().cwiseAbs().maxCoeff());
   }
 
-  // Makes the columns of w orthonormal and orthogonal to the basis. Returns B such that the old w
-  // is the new one times B, up to what was in the basis. The Cholesky factor of the Gram matrix
-  // does it; twice, since the first time leaves errors of the square of the condition number. A
-  // block that is nearly dependent, as when an invariant space is exhausted, is rotated first, such
-  // that its columns are orthogonal; those that are nothing but rounding are replaced by random
-  // ones, which B multiplies by zero.
-  Block_coefficients orthonormalize(Row_block& w)
+  // Makes the columns of w orthonormal and orthogonal to the basis, and the loose block as well, whose
+  // `error` was found. Returns B such that the old w is the new one times B, up to what was in the
+  // basis.
+  //
+  // A block that is nearly dependent, as when an invariant space is exhausted, is rotated, such that its
+  // columns are orthogonal; those that are nothing but rounding are replaced by random ones, which B
+  // multiplies by zero.
+  Block_coefficients orthonormalize(Row_block& w, double& error)
   {
     constexpr int max_passes = 6;
-    constexpr double well_conditioned = 1e-2, dependent = 1e-6, negligible = 1e-14;
+    constexpr double negligible = 1e-14;
     Block_coefficients b = Block_coefficients::Identity();
     for (int pass = 0; pass < max_passes; ++pass) {
-      m_basis.project_out_of(w);
-      const double conditioning = divide_by_cholesky_factor(w, b, dependent);
-      if (conditioning >= dependent) {
-        divide_by_cholesky_factor(w, b, dependent);
-        if (conditioning >= well_conditioned)
-          return b;
-        continue;
-      }
-      const Eigen::SelfAdjointEigenSolver<Block_coefficients> rotation(
+      const Eigen::Index loose = m_is_loose ? m_processed : -1;
+      double error_of_pass;
+      const Block_coefficients square = m_basis.project_out_of(w, loose, error_of_pass);
+      if (m_is_loose)
+        error = error_of_pass;
+      m_is_loose = false;
+      if (normalize(w, square, b))
+        return b;
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rotation(
           internal::transposed_product(w, w));
       internal::multiply_from_right(w, rotation.eigenvectors());
       b = rotation.eigenvectors().transpose() * b;
@@ -238,22 +262,27 @@ private:
     throw Reeb_graph_error("the Lanczos vectors could not be made orthogonal");
   }
 
-  // With the Cholesky factorization `w^T w = R^T R`: `w = w R^-1`, `b = R b`. Returns the ratio of
-  // the smallest and the largest pivot; if it is less than `smallest_ratio`, nothing is changed.
-  static double
-  divide_by_cholesky_factor(Row_block& w, Block_coefficients& b, double smallest_ratio)
+  // Makes the columns of w orthonormal, whose products `w^T w` are given, if they are not nearly
+  // dependent; returns whether that is so. With the Cholesky factorization `w^T w = R^T R`,
+  // `w = w R^-1` and `b = R b`. Twice, since the first time leaves errors of the square of the
+  // condition number.
+  static bool normalize(Row_block& w, const Block_coefficients& square, Block_coefficients& b)
   {
-    const Eigen::LLT<Block_coefficients> cholesky(internal::transposed_product(w, w));
-    const Eigen::VectorXd pivots = cholesky.matrixLLT().diagonal();
-    if (cholesky.info() != Eigen::Success ||
-        !(pivots.minCoeff() >= smallest_ratio * pivots.maxCoeff()))
-      return 0;
-    const Block_coefficients r = cholesky.matrixU();
-    const Block_coefficients inverse =
-        cholesky.matrixU().solve(Block_coefficients(Block_coefficients::Identity()));
-    internal::multiply_from_right(w, inverse);
-    b = r * b;
-    return pivots.minCoeff() / pivots.maxCoeff();
+    constexpr double well_conditioned = 1e-2;
+    Block_coefficients next_square = square;
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::LLT<Block_coefficients> cholesky(next_square);
+      const Eigen::VectorXd pivots = cholesky.matrixLLT().diagonal();
+      if (cholesky.info() != Eigen::Success ||
+          !(pivots.minCoeff() >= well_conditioned * pivots.maxCoeff()))
+        return false;
+      const Block_coefficients r = cholesky.matrixU();
+      const Block_coefficients inverse =
+          cholesky.matrixU().solve(Block_coefficients(Block_coefficients::Identity()));
+      next_square = internal::multiply_from_right(w, inverse);
+      b = r * b;
+    }
+    return true;
   }
 
   void insert_random_block(Eigen::Index position)
@@ -262,7 +291,8 @@ private:
     for (Eigen::Index i = 0; i < w.rows(); ++i)
       for (Eigen::Index j = 0; j < width; ++j)
         w(i, j) = m_random.next();
-    orthonormalize(w);
+    double error = 0;
+    orthonormalize(w, error);
     insert(position, std::move(w));
     m_number_of_random_vectors += width;
   }
@@ -404,6 +434,8 @@ private:
     if (number > 0) {
       keep_largest((number + width - 1) / width); // the basis itself has the eigenvectors then
       result.vectors.resize(m_operator.rows(), number);
+      internal::prefer_huge_pages(result.vectors.data(),
+                                  static_cast<std::size_t>(result.vectors.size()));
       Row_block y = m_basis.new_block(m_operator.rows());
       m_basis.free_spare_memory();
       for (Eigen::Index j = 0; j < number; j += width) {
@@ -430,6 +462,8 @@ private:
   Eigen::MatrixXd m_ritz_vectors;
   Eigen::MatrixXd m_ritz_couplings; // the parts of `A y` in the pending blocks
   double m_progress = 0;
+  bool m_is_loose = false; // whether the first pending block is not quite orthogonal to the others
+  bool m_may_be_loose = true;
 };
 
 } // namespace Surface_mesh_reeb_graph

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Panel_solver.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Supernodal_structure.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/huge_pages.h>
 
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
@@ -153,8 +154,13 @@ public:
     Column_matrix full;
     full = a.template selfadjointView<UpLo>();
     Permutation inverse;
-    if (m_size > 0)
-      OrderingType()(full, inverse);
+    if (m_size > 0) {
+      // what AMD is given otherwise is added to its transpose, with several copies
+      if constexpr (std::is_same_v<OrderingType, Eigen::AMDOrdering<StorageIndex>>)
+        OrderingType()(full.template selfadjointView<Eigen::Lower>(), inverse);
+      else
+        OrderingType()(full, inverse);
+    }
     std::vector<StorageIndex> position(static_cast<std::size_t>(m_size));
     for (Index i = 0; i < m_size; ++i) {
       // an empty permutation is Eigen's natural ordering
@@ -183,6 +189,7 @@ public:
     permuted.template selfadjointView<Eigen::Lower>() =
         a.template selfadjointView<UpLo>().twistedBy(m_permutation);
     m_factor.resize(m_structure.size());
+    internal::prefer_huge_pages(m_factor.data(), static_cast<std::size_t>(m_factor.size()));
     m_info = factorize_fronts(permuted);
     m_factored = m_info == Eigen::Success;
     if (!m_factored)
@@ -346,7 +353,10 @@ private:
       , square(structure.largest_number_of_rows_below() * structure.largest_number_of_rows_below())
       , row_in_front(static_cast<std::size_t>(size))
       , row_in_parent(static_cast<std::size_t>(structure.largest_number_of_rows_below()))
-    {}
+    {
+      internal::prefer_huge_pages(stack.data(), static_cast<std::size_t>(stack.size()));
+      internal::prefer_huge_pages(square.data(), static_cast<std::size_t>(square.size()));
+    }
 
     Vector stack;
     Vector square; // the update of the current front

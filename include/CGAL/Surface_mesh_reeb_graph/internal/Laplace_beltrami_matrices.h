@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_triangle.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Mesh_components.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/huge_pages.h>
 
 #include <Eigen/Core>
 #include <Eigen/Sparse>
@@ -86,6 +87,8 @@ public:
     }
     matrix.resize(n, n);
     matrix.reserve(static_cast<Eigen::Index>(size));
+    prefer_huge_pages(matrix.valuePtr(), size);
+    prefer_huge_pages(matrix.innerIndexPtr(), size);
     for (Eigen::Index j = 0; j < n; ++j) {
       matrix.startVec(j);
       bool has_diagonal = false;
@@ -133,7 +136,7 @@ private:
 
   Eigen::VectorXd m_diagonal;
   std::vector<std::size_t> m_begin, m_end; // of the entries of every column outside of the diagonal
-  std::vector<Entry> m_entries;
+  std::vector<Entry, Huge_page_allocator<Entry>> m_entries;
 };
 
 // A component without extent (all edges of length 0, or no faces) gives matrices with `area == 0`.

@@ -132,7 +132,7 @@ private:
     Lockstep_walks<TriangleMesh> walks;
     Star star;
     vertex_descriptor vertex;
-    std::size_t number;
+    std::size_t number = 0;
   };
 
   bool walk_below(const std::vector<std::uint32_t>& nodes)

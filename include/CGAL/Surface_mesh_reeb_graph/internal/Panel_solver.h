@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PANEL_SOLVER_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/avx2_kernels.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/x86_kernels.h>
 
 #include <Eigen/Core>
 
@@ -50,9 +50,9 @@ public:
   void backward(Scalar* x, const Scalar* y) const
   {
     Index j = m_width;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
     if constexpr (std::is_same_v<Scalar, double> && Columns == 8)
-      for (; has_avx2() && j >= 4; j -= 4)
+      for (; x86::has_kernels() && j >= 4; j -= 4)
         backward_columns<4>(j - 4, x, y);
 #endif
     for (; j >= 2; j -= 2)
@@ -105,10 +105,10 @@ private:
         result -= term(0);
       return;
     }
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
     if constexpr (std::is_same_v<Scalar, double> && Columns == 8 && Number == 4)
-      if (has_avx2()) {
-        avx2::subtract_four_columns(l, m_rows, rows, x, to);
+      if (x86::has_kernels()) {
+        x86::subtract_four_columns(l, m_rows, rows, x, to);
         return;
       }
 #endif
@@ -153,9 +153,9 @@ private:
         to[k] -= Eigen::Map<const Vector>(l + k * m_rows, rows).dot(rhs);
       return;
     }
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
     if constexpr (Number == 4) { // nothing else comes here with four columns
-      avx2::subtract_four_transposed_columns(l, m_rows, rows, y, to);
+      x86::subtract_four_transposed_columns(l, m_rows, rows, y, to);
       return;
     }
 #endif

@@ -10,7 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ROW_BLOCK_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ROW_BLOCK_H
 
-#include <CGAL/Surface_mesh_reeb_graph/internal/avx2_kernels.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/huge_pages.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/x86_kernels.h>
 
 #include <Eigen/Core>
 
@@ -40,9 +41,9 @@ using Tile_row = Eigen::Array<double, tile_width, 1>;
 inline void
 add_transposed_product(const double* v, const double* w, Eigen::Index rows, Block_coefficients& c)
 {
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
-  if (has_avx2()) {
-    avx2::add_transposed_product(v, w, rows, c.data());
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels()) {
+    x86::add_transposed_product(v, w, rows, c.data());
     return;
   }
 #endif
@@ -76,9 +77,9 @@ subtract_product(double* w, const double* v, Eigen::Index rows, const Block_coef
   using Row = Eigen::Map<Tile_row, Eigen::Aligned16>;
   using Const_row = Eigen::Map<const Tile_row, Eigen::Aligned16>;
   Eigen::Index row = 0;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_AVX2_KERNELS
-  if (has_avx2())
-    row = avx2::subtract_product(w, v, rows, c.data());
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels())
+    row = x86::subtract_product(w, v, rows, c.data());
 #endif
   for (; row + 2 <= rows; row += 2) {
     const double* v_row = v + block_width * row;
@@ -111,17 +112,20 @@ inline Block_coefficients transposed_product(const Row_block& v, const Row_block
   return result;
 }
 
-// `w = w c`
-inline void multiply_from_right(Row_block& w, const Block_coefficients& c)
+// `w = w c`; returns `w^T w` of the result.
+inline Block_coefficients multiply_from_right(Row_block& w, const Block_coefficients& c)
 {
   const Block_coefficients minus_c = -c;
+  Block_coefficients square = Block_coefficients::Zero();
   Row_block product;
   for (Eigen::Index row = 0; row < w.rows(); row += rows_in_cache) {
     auto part = w.middleRows(row, (std::min)(rows_in_cache, w.rows() - row));
     product.setZero(part.rows(), block_width);
     subtract_product(product.data(), w.data() + block_width * row, part.rows(), minus_c);
+    add_transposed_product(product.data(), product.data(), part.rows(), square);
     part = product;
   }
+  return square;
 }
 
 // A tall matrix `V` as a sequence of blocks. What walks it, walks rows that stay in the cache and
@@ -151,34 +155,69 @@ public:
   // than most products take.
   Row_block new_block(Eigen::Index rows)
   {
-    if (m_spare.empty())
-      return Row_block(rows, block_width);
+    if (m_spare.empty()) {
+      Row_block block(rows, block_width);
+      prefer_huge_pages(block.data(), static_cast<std::size_t>(block.size()));
+      return block;
+    }
     Row_block result = std::move(m_spare.back());
     m_spare.pop_back();
     return result;
   }
   void free_spare_memory() { m_spare.clear(); }
 
-  // `w -= V (V^T w)`; returns `V^T w`.
-  Eigen::MatrixXd project_out_of(Row_block& w) const
+  // `w -= sum_i V_i c_i`, and then `w -= sum_i V_i (V_i^T w)` for the blocks from `begin` on. Returns the
+  // latter coefficients.
+  std::vector<Block_coefficients>
+  subtract_and_project(const std::vector<std::pair<Eigen::Index, Block_coefficients>>& c,
+                       Eigen::Index begin,
+                       Row_block& w) const
   {
-    std::vector<Block_coefficients> c(m_blocks.size(), Block_coefficients::Zero());
-    for (Eigen::Index row = 0; row < w.rows(); row += rows_in_cache)
-      for (std::size_t i = 0; i < m_blocks.size(); ++i)
-        add_transposed_product(m_blocks[i].data() + block_width * row,
-                               w.data() + block_width * row,
-                               (std::min)(rows_in_cache, w.rows() - row),
-                               c[i]);
-    for (Eigen::Index row = 0; row < w.rows(); row += rows_in_cache)
-      for (std::size_t i = 0; i < m_blocks.size(); ++i)
-        subtract_product(w.data() + block_width * row,
-                         m_blocks[i].data() + block_width * row,
-                         (std::min)(rows_in_cache, w.rows() - row),
-                         c[i]);
-    Eigen::MatrixXd result(block_width * size(), block_width);
-    for (std::size_t i = 0; i < c.size(); ++i)
-      result.middleRows<block_width>(block_width * static_cast<Eigen::Index>(i)) = c[i];
-    return result;
+    std::vector<Block_coefficients> products(m_blocks.size(), Block_coefficients::Zero());
+    for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
+      for (const auto& [i, coefficients] : c)
+        subtract_product(chunk(w, row), chunk(i, row), size, coefficients);
+      for (Eigen::Index i = begin; i < this->size(); ++i)
+        add_transposed_product(
+            chunk(i, row), chunk(w, row), size, products[static_cast<std::size_t>(i)]);
+    });
+    for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
+      for (Eigen::Index i = begin; i < this->size(); ++i)
+        subtract_product(chunk(w, row), chunk(i, row), size, products[static_cast<std::size_t>(i)]);
+    });
+    return products;
+  }
+
+  // `w -= V (V^T w)`; returns `w^T w` of the result.
+  //
+  // The block `loose`, if it is not negative, is not quite orthogonal to the others yet, and is made so
+  // on the way, while these are in the cache: `error` becomes the largest of its scalar products with
+  // them.
+  Block_coefficients project_out_of(Row_block& w, Eigen::Index loose, double& error)
+  {
+    std::vector<Block_coefficients> c(m_blocks.size(), Block_coefficients::Zero()), d = c;
+    for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
+      for (Eigen::Index i = 0; i < this->size(); ++i) {
+        const std::size_t k = static_cast<std::size_t>(i);
+        add_transposed_product(chunk(i, row), chunk(w, row), size, c[k]);
+        if (loose >= 0 && i != loose)
+          add_transposed_product(chunk(i, row), chunk(loose, row), size, d[k]);
+      }
+    });
+    Block_coefficients square = Block_coefficients::Zero();
+    for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
+      for (Eigen::Index i = 0; i < this->size(); ++i) {
+        const std::size_t k = static_cast<std::size_t>(i);
+        subtract_product(chunk(w, row), chunk(i, row), size, c[k]);
+        if (loose >= 0 && i != loose)
+          subtract_product(chunk(loose, row), chunk(i, row), size, d[k]);
+      }
+      add_transposed_product(chunk(w, row), chunk(w, row), size, square);
+    });
+    error = 0;
+    for (const Block_coefficients& x : d)
+      error = (std::max)(error, x.cwiseAbs().maxCoeff());
+    return square;
   }
 
   // Replaces the first blocks, as many as `q` has rows for, by their product with `q`, which has a multiple of eight
@@ -213,6 +252,24 @@ public:
   }
 
 private:
+  // Calls `f` with the first row and the number of rows of parts that stay in the cache.
+  template <class Function>
+  static void for_chunks(Eigen::Index rows, const Function& f)
+  {
+    for (Eigen::Index row = 0; row < rows; row += rows_in_cache)
+      f(row, (std::min)(rows_in_cache, rows - row));
+  }
+
+  static double* chunk(Row_block& w, Eigen::Index row) { return w.data() + block_width * row; }
+  double* chunk(Eigen::Index i, Eigen::Index row)
+  {
+    return m_blocks[static_cast<std::size_t>(i)].data() + block_width * row;
+  }
+  const double* chunk(Eigen::Index i, Eigen::Index row) const
+  {
+    return m_blocks[static_cast<std::size_t>(i)].data() + block_width * row;
+  }
+
   std::vector<Row_block> m_blocks;
   std::vector<Row_block> m_spare;
 };

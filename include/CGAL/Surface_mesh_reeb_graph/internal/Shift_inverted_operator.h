@@ -90,15 +90,21 @@ public:
     , m_right_hand_side(static_cast<int>(rows()))
     , m_solution(static_cast<int>(rows()))
   {
-    Eigen::SparseMatrix<double> shifted = stiffness;
-    shifted += (shift * mass).eval().asDiagonal();
     // CGAL's matrix never gives back the memory of the entries that it is made from one by one.
     if constexpr (std::is_same_v<Matrix, CGAL::Eigen_sparse_matrix<double>>) {
-      Matrix(shifted).swap(m_shifted);
+      Matrix(stiffness).swap(m_shifted);
+      for (Eigen::Index i = 0; i < rows(); ++i)
+        m_shifted.add_coef(i, i, shift * mass[i]);
     } else {
-      for (Eigen::Index j = 0; j < shifted.outerSize(); ++j)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(shifted, j); it; ++it)
-          m_shifted.set_coef(it.row(), it.col(), it.value(), true);
+      for (Eigen::Index j = 0; j < rows(); ++j) {
+        double diagonal = shift * mass[j];
+        for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness, j); it; ++it)
+          if (it.row() == j)
+            diagonal += it.value();
+          else
+            m_shifted.set_coef(it.row(), it.col(), it.value(), true);
+        m_shifted.set_coef(j, j, diagonal, true);
+      }
     }
     double determinant;
     if (!m_solver.factor(m_shifted, determinant))
