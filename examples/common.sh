@@ -158,7 +158,7 @@ run_tests()
   local status=0 failed total
   # Some tests build something.
   CMAKE_BUILD_PARALLEL_LEVEL=$(number_of_jobs) quietly ctest --test-dir "$root/build/$1" \
-    --output-on-failure --no-tests=error "${@:2}" || status=$?
+    --parallel "$(number_of_jobs)" --output-on-failure --no-tests=error "${@:2}" || status=$?
   read -r failed total < <(sed -nE 's/^.* ([0-9]+) tests failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
   echo "$((${total:-1} - ${failed:-1})) passed, ${failed:-1} failed"
   return "$status"

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Runs all tests, from nothing: installs what is missing, builds everything in Release mode and runs
 # ctest. Prints what fails, and a last line "N passed, N failed".
+#
+#   test/run.sh [OPTION]...     options for CMake
 set -euo pipefail
 
 # shellcheck source=examples/common.sh
@@ -13,13 +15,13 @@ prepare()
     libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev &&
     find_cgal_data &&
     configure release -D SURFACE_MESH_REEB_GRAPH_BUILD_EXAMPLES=ON \
-      -D SURFACE_MESH_REEB_GRAPH_BUILD_TESTS=ON &&
+      -D SURFACE_MESH_REEB_GRAPH_BUILD_TESTS=ON "$@" &&
     progress "Building the tests (some minutes the first time) ..." &&
     build release
 }
 
 start_log "$root/build/test_run.log"
-if ! prepare; then
+if ! prepare "$@"; then
   echo "0 passed, 1 failed"
   exit 1
 fi
