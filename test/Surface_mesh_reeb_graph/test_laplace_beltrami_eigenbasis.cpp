@@ -1961,7 +1961,7 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
                          const auto& subtract_product,
                          const auto& subtract_four_columns,
                          const auto& subtract_four_transposed_columns) {
-    for (const Eigen::Index n : {0, 1, 3, 4, 7, 8, 9, 31, 64, 100}) {
+    for (const Eigen::Index n : {1, 3, 4, 7, 8, 9, 31, 64, 100}) {
       const double rounding = 8 * epsilon * static_cast<double>(n + 8);
       const Matrix v = random_matrix(n, 8), w = random_matrix(n, 8), c = random_matrix(8, 8);
       Matrix product = c;
@@ -1980,8 +1980,7 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
       const Matrix x = random_matrix(4, 8);
       y = w;
       subtract_four_columns(l.data(), n + 3, n, x.data(), y.data());
-      if (n > 0)
-        BOOST_TEST((y - (w - l.topRows(n) * x)).cwiseAbs().maxCoeff() <= rounding);
+      BOOST_TEST((y - (w - l.topRows(n) * x)).cwiseAbs().maxCoeff() <= rounding);
       Matrix z = x;
       subtract_four_transposed_columns(l.data(), n + 3, n, w.data(), z.data());
       BOOST_TEST((z - (x - l.topRows(n).transpose() * w)).cwiseAbs().maxCoeff() <= rounding);
