@@ -263,9 +263,18 @@ void check_equal(const Plain_graph& a, const Plain_graph& b)
   BOOST_CHECK_EQUAL_COLLECTIONS(a.arcs.begin(), a.arcs.end(), b.arcs.begin(), b.arcs.end());
 }
 
-// The same up to the rounding of values.
-void check_close(const Plain_graph& a, const Plain_graph& b)
+// The same up to the rounding of values, which also decides about the order of nodes with the same value.
+void check_close(Plain_graph a, Plain_graph b)
 {
+  for (Plain_graph* graph : {&a, &b}) {
+    std::sort(graph->nodes.begin(),
+              graph->nodes.end(),
+              [](const Plain_node& u, const Plain_node& v) { return u.vertex < v.vertex; });
+    std::sort(graph->arcs.begin(), graph->arcs.end(), [](const Plain_arc& u, const Plain_arc& v) {
+      return std::tie(u.lower_vertex, u.upper_vertex, u.vertices) <
+             std::tie(v.lower_vertex, v.upper_vertex, v.vertices);
+    });
+  }
   BOOST_REQUIRE_EQUAL(a.nodes.size(), b.nodes.size());
   for (std::size_t i = 0; i < a.nodes.size(); ++i) {
     BOOST_CHECK_EQUAL(a.nodes[i].vertex, b.nodes[i].vertex);
