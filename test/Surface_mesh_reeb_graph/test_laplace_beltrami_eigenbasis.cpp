@@ -1619,11 +1619,15 @@ void check_pairs(const Pencil& pencil,
 template <class Eigensolver>
 void check_eigensolver(const Pencil& pencil,
                        const std::vector<Eigen::Index>& numbers,
-                       const Eigen::VectorXd& expected)
+                       const Eigen::VectorXd& expected,
+                       const SMRG::Eigensolver_options& options = SMRG::Eigensolver_options())
 {
   for (const Eigen::Index number : numbers) {
-    Eigensolver solver(pencil.stiffness, pencil.mass, pencil.shift);
-    check_pairs(pencil, solver.smallest(number), expected.head(number));
+    BOOST_TEST_CONTEXT(number << " eigenpairs of " << pencil.mass.size())
+    {
+      Eigensolver solver(pencil.stiffness, pencil.mass, pencil.shift, options);
+      check_pairs(pencil, solver.smallest(number), expected.head(number));
+    }
   }
 }
 
@@ -1657,6 +1661,18 @@ BOOST_AUTO_TEST_CASE(identical_copies_have_identical_eigenvalues)
     check_eigensolver<SMRG::Block_lanczos_eigensolver<>>(
         pencil, {1, number, number + 1, 3 * number - 1, 60}, expected);
   }
+}
+
+// What is missing may lie in the vectors that are waiting when all others have converged.
+BOOST_AUTO_TEST_CASE(missing_eigenvalues_are_found_with_any_seed)
+{
+  const Pencil pencil = copies(pencil_of(potato(1)), 20);
+  const Eigen::VectorXd expected = pencil.smallest_eigenvalues(60);
+  SMRG::Eigensolver_options options;
+  for (options.seed = 0; options.seed < 10; ++options.seed)
+    BOOST_TEST_CONTEXT("seed " << options.seed)
+  check_eigensolver<SMRG::Block_lanczos_eigensolver<>>(
+      pencil, {17, 20, 21, 26, 45}, expected, options);
 }
 
 BOOST_AUTO_TEST_CASE(random_weights_agree_with_dense_matrices)
@@ -1918,7 +1934,7 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_dense_matrices)
     // the last block is loose, or none
     for (const bool is_loose : {false, true}) {
       Eigen::MatrixXd tight = v;
-      double error = -1, expected_error = 0;
+      double expected_error = 0;
       if (is_loose) {
         const auto others = v.leftCols(8 * (number - 1));
         const Eigen::MatrixXd d = others.transpose() * v.rightCols(8);
@@ -1927,9 +1943,8 @@ BOOST_AUTO_TEST_CASE(products_are_those_of_dense_matrices)
       }
       rest = w;
       const Eigen::MatrixXd c = v.transpose() * w, expected = w - tight * c;
-      const Eigen::MatrixXd square = basis.project_out_of(rest, is_loose ? number - 1 : -1, error);
+      const Eigen::MatrixXd square = basis.project_out_of(rest, is_loose ? number - 1 : -1);
       const double bound = rounding * (1 + c.norm()) * (1 + expected_error);
-      BOOST_TEST(std::abs(error - expected_error) <= rounding);
       BOOST_TEST((rest - expected).cwiseAbs().maxCoeff() <= bound);
       BOOST_TEST((square - rest.transpose() * rest).cwiseAbs().maxCoeff() <=
                  rounding * (1 + rest.squaredNorm()));
@@ -1958,9 +1973,12 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
     return Matrix(Matrix::NullaryExpr(rows, columns, [&rng]() { return random_unit(rng) - 0.5; }));
   };
   const auto check = [&](const auto& add_transposed_product,
+                         const auto& add_transposed_products,
                          const auto& subtract_product,
+                         const auto& subtract_products,
                          const auto& subtract_four_columns,
-                         const auto& subtract_four_transposed_columns) {
+                         const auto& subtract_four_transposed_columns,
+                         const auto& subtract_tile) {
     for (const Eigen::Index n : {1, 3, 4, 7, 8, 9, 31, 64, 100}) {
       const double rounding = 8 * epsilon * static_cast<double>(n + 8);
       const Matrix v = random_matrix(n, 8), w = random_matrix(n, 8), c = random_matrix(8, 8);
@@ -1974,6 +1992,34 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
       if (done > 0)
         BOOST_TEST((y - (w - v * c)).topRows(done).cwiseAbs().maxCoeff() <= rounding);
       BOOST_TEST((y.bottomRows(n - done).array() == w.bottomRows(n - done).array()).all());
+
+      const Matrix u = random_matrix(n, 8), d = random_matrix(8, 8);
+      product = c;
+      Matrix other_product = d;
+      add_transposed_products(
+          v.data(), w.data(), u.data(), n, product.data(), other_product.data());
+      BOOST_TEST((product - (c + v.transpose() * w)).cwiseAbs().maxCoeff() <= rounding);
+      BOOST_TEST((other_product - (d + v.transpose() * u)).cwiseAbs().maxCoeff() <= rounding);
+
+      y = w;
+      Matrix other_y = u;
+      const Eigen::Index both_done =
+          subtract_products(y.data(), other_y.data(), v.data(), n, c.data(), d.data());
+      BOOST_TEST(n - both_done < 8);
+      Matrix expected = w, other_expected = u;
+      expected.topRows(both_done) -= v.topRows(both_done) * c;
+      other_expected.topRows(both_done) -= v.topRows(both_done) * d;
+      BOOST_TEST((y - expected).cwiseAbs().maxCoeff() <= rounding);
+      BOOST_TEST((other_y - other_expected).cwiseAbs().maxCoeff() <= rounding);
+
+      // a tile inside a larger matrix
+      const Matrix a = random_matrix(n, 16);
+      const Eigen::MatrixXd large = random_matrix(19, 8);
+      Eigen::MatrixXd tile = large;
+      subtract_tile(a.data(), v.data(), n, tile.data() + 1, 19);
+      Eigen::MatrixXd expected_tile = large;
+      expected_tile.middleRows(1, 16) -= a.transpose() * v;
+      BOOST_TEST((tile - expected_tile).cwiseAbs().maxCoeff() <= rounding);
 
       // columns that are longer than what is used of them
       const Eigen::MatrixXd l = random_matrix(n + 3, 4);
@@ -1989,16 +2035,22 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
   int number = 0;
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     check(internal::avx2::add_transposed_product,
+          internal::avx2::add_transposed_products,
           internal::avx2::subtract_product,
+          internal::avx2::subtract_products,
           internal::avx2::subtract_four_columns,
-          internal::avx2::subtract_four_transposed_columns);
+          internal::avx2::subtract_four_transposed_columns,
+          internal::avx2::subtract_tile);
     ++number;
   }
   if (internal::x86::has_avx512()) {
     check(internal::avx512::add_transposed_product,
+          internal::avx512::add_transposed_products,
           internal::avx512::subtract_product,
+          internal::avx512::subtract_products,
           internal::avx512::subtract_four_columns,
-          internal::avx512::subtract_four_transposed_columns);
+          internal::avx512::subtract_four_transposed_columns,
+          internal::avx512::subtract_tile);
     ++number;
   }
   BOOST_TEST_MESSAGE(number << " instruction sets");

@@ -347,6 +347,48 @@ BOOST_AUTO_TEST_CASE(one_triangle_is_read)
     }
 }
 
+// Against products of whole matrices; above the diagonal anything may come out.
+template <class Scalar>
+void check_rank_update(std::mt19937& rng)
+{
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  const auto random_matrix = [&rng](const Eigen::Index rows, const Eigen::Index columns) {
+    std::uniform_real_distribution<double> number(-0.5, 0.5);
+    return Matrix(
+        Matrix::NullaryExpr(rows, columns, [&]() { return static_cast<Scalar>(number(rng)); }));
+  };
+  const auto random_size = [&rng](const Eigen::Index largest) {
+    return std::uniform_int_distribution<Eigen::Index>(1, largest)(rng);
+  };
+  SMRG::internal::Rank_update<Scalar> update; // one for all: its memory is used again
+  for (int i = 0; i < 60; ++i) {
+    const bool is_large = i % 10 == 0;
+    const Eigen::Index rows = random_size(is_large ? 400 : 60),
+                       columns = i % 2 == 0 ? rows : random_size(rows),
+                       depth = random_size(is_large ? 420 : 30);
+    const Matrix a = random_matrix(rows + 3, depth), c = random_matrix(rows + 5, columns);
+    Matrix result = c;
+    update.subtract(a.data(), rows + 3, rows, columns, depth, result.data(), rows + 5);
+    const Matrix expected = c.topRows(rows) - a.topRows(rows) * a.topRows(columns).transpose();
+    const Scalar rounding =
+        4 * std::numeric_limits<Scalar>::epsilon() * static_cast<Scalar>(depth + 4);
+    Scalar error = 0;
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      const auto difference = (result.col(k).head(rows) - expected.col(k)).tail(rows - k);
+      error = (std::max)(error, difference.cwiseAbs().maxCoeff());
+    }
+    BOOST_TEST(error <= rounding, rows << " x " << columns << ", depth " << depth);
+    BOOST_TEST((result.bottomRows(5).array() == c.bottomRows(5).array()).all());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rank_update_is_a_product)
+{
+  std::mt19937 rng(31);
+  check_rank_update<double>(rng);
+  check_rank_update<float>(rng); // without kernels
+}
+
 BOOST_AUTO_TEST_CASE(determinant_is_that_of_dense_factorization)
 {
   for (const Example& example : examples(8))

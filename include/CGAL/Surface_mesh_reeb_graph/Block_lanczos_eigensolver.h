@@ -86,7 +86,7 @@ public:
                             const Eigensolver_options& options = Eigensolver_options())
     : m_options(options)
     , m_random(options.seed)
-    , m_tolerance((std::min)((std::max)(1e-4 * options.residual_tolerance, 1e-13), 1e-11))
+    , m_tolerance((std::min)((std::max)(1e-3 * options.residual_tolerance, 1e-13), 1e-11))
     , m_operator((options.report_progress(0), stiffness), mass, shift)
   {}
 
@@ -122,8 +122,8 @@ private:
   bool iterate(Eigen::Index number)
   {
     constexpr int max_restarts = 300;
-    // Twice as many vectors would save a tenth of the solves. A few steps have room in any case.
-    const Eigen::Index capacity = (std::max)(5 * number / 2, number + 48) / width + 1;
+    // More vectors would save few solves only, and take memory. A few steps have room in any case.
+    const Eigen::Index capacity = (std::max)(3 * number, number + 56) / width;
     m_progress = 0;
     if (m_basis.size() == 0)
       insert_random_block(0);
@@ -171,27 +171,21 @@ private:
   // What T says about the product is subtracted anyway, and leaves errors of rounding, which grow by
   // the ratio of the largest eigenvalues to the coupling of the blocks from step to step. So every
   // other block stays loose: it is made orthogonal to all others together with the next one, which
-  // reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence T by their
-  // square only.
+  // reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence its norm and T by
+  // their square only, which is nothing unless the coupling is tiny.
   void multiply_next(Eigen::Index position)
   {
-    constexpr double harmless = 1e-7;
+    constexpr double smallest_coupling = 1e-6;
     m_options.report_progress(m_progress);
     const Eigen::Index p = m_processed;
     Row_block w = m_basis.new_block(m_operator.rows());
     multiply(p, w);
     Block_coefficients rest = Block_coefficients::Identity();
-    const bool is_loose = m_may_be_loose && !m_is_loose && p + 1 == m_basis.size() &&
-                          normalize(w, internal::transposed_product(w, w), rest);
-    if (!is_loose) {
-      double error = 0;
-      rest = orthonormalize(w, error) * rest;
-      if (error > harmless) {
-        m_may_be_loose = false;
-        multiply(p, w);
-        rest = orthonormalize(w, error);
-      }
-    }
+    const bool is_loose = !m_is_loose && p + 1 == m_basis.size() &&
+                          normalize(w, internal::transposed_product(w, w), rest) &&
+                          rest.diagonal().cwiseAbs().minCoeff() >= smallest_coupling * m_scale;
+    if (!is_loose)
+      rest = orthonormalize(w) * rest;
     m_is_loose = is_loose;
     ++m_processed;
     insert(position, std::move(w));
@@ -221,24 +215,19 @@ private:
     m_scale = (std::max)(m_scale, coefficients(p, p).diagonal().cwiseAbs().maxCoeff());
   }
 
-  // Makes the columns of w orthonormal and orthogonal to the basis, and the loose block as well, whose
-  // `error` was found. Returns B such that the old w is the new one times B, up to what was in the
-  // basis.
+  // Makes the columns of w orthonormal and orthogonal to the basis, and the loose block as well.
+  // Returns B such that the old w is the new one times B, up to what was in the basis.
   //
   // A block that is nearly dependent, as when an invariant space is exhausted, is rotated, such that its
   // columns are orthogonal; those that are nothing but rounding are replaced by random ones, which B
   // multiplies by zero.
-  Block_coefficients orthonormalize(Row_block& w, double& error)
+  Block_coefficients orthonormalize(Row_block& w)
   {
     constexpr int max_passes = 6;
     constexpr double negligible = 1e-14;
     Block_coefficients b = Block_coefficients::Identity();
     for (int pass = 0; pass < max_passes; ++pass) {
-      const Eigen::Index loose = m_is_loose ? m_processed : -1;
-      double error_of_pass;
-      const Block_coefficients square = m_basis.project_out_of(w, loose, error_of_pass);
-      if (m_is_loose)
-        error = error_of_pass;
+      const Block_coefficients square = m_basis.project_out_of(w, m_is_loose ? m_processed : -1);
       m_is_loose = false;
       if (normalize(w, square, b))
         return b;
@@ -291,8 +280,7 @@ private:
     for (Eigen::Index i = 0; i < w.rows(); ++i)
       for (Eigen::Index j = 0; j < width; ++j)
         w(i, j) = m_random.next();
-    double error = 0;
-    orthonormalize(w, error);
+    orthonormalize(w);
     insert(position, std::move(w));
     m_number_of_random_vectors += width;
   }
@@ -369,12 +357,13 @@ private:
   //
   // A Krylov space of b random vectors holds all vectors of an eigenspace of dimension up to b,
   // with probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can
-  // there be more of them. Where that is so, the space orthogonal to what was kept is searched: the
-  // largest eigenvalue of A restricted to it is that of a missing vector, if there is one. From a
-  // block of random vectors, k steps make the component of the latter larger than all others by a
-  // Chebyshev polynomial of degree k, about `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the
-  // next eigenvalue to it. At the start the component of the best of eight random vectors of
-  // dimension n is less than `0.1 / sqrt(n)` with a probability of 1e-11.
+  // there be more of them. Where that is so, the space orthogonal to what has converged is searched:
+  // the largest eigenvalue of A restricted to it is that of a missing vector, if there is one. From
+  // another block of random vectors, and what was pending (it may hold a part of the missing vector),
+  // k steps make the component of the latter larger than all others by a Chebyshev polynomial of
+  // degree k, about `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the next eigenvalue to it. At
+  // the start the component of the best of eight random vectors of dimension n is less than
+  // `0.1 / sqrt(n)` with a probability of 1e-11.
   bool is_complete(Eigen::Index number)
   {
     constexpr double coincidence = 1e-6;
@@ -391,38 +380,40 @@ private:
       return true;
 
     const double amplification = std::log(40 * std::sqrt(static_cast<double>(m_operator.rows())));
-    keep_largest(2 * number / width + 1);
-    const Eigen::Index begin = m_processed;
-    insert_random_block(begin);
-    for (Eigen::Index steps = 1;; ++steps) {
-      multiply_next(m_processed + 1);
-      const Eigen::Index size = width * (m_processed - begin);
-      const double largest =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-              m_projected.block(width * begin, width * begin, size, size), Eigen::EigenvaluesOnly)
-              .eigenvalues()[size - 1];
-      const double ratio = largest / suspect;
-      const bool is_missing = ratio >= 1 - coincidence;
-      if (is_missing || !has_room_for_block()) {
+    const Eigen::Index kept = 2 * number / width + 1;
+    keep_largest(kept);
+    insert_random_block(m_processed);
+    Eigen::Index begin = m_processed;
+    double next = 0; // the largest eigenvalue of what is searched, as far as it is known
+    for (int degree = 1;; ++degree) {
+      const Eigen::Index pending = number_of_pending_blocks();
+      for (Eigen::Index i = 0; i < pending; ++i)
+        multiply_next(m_basis.size());
+      const bool is_missing = largest_eigenvalue_from(number) >= (1 - coincidence) * suspect;
+      next = (std::max)(next, largest_eigenvalue_from(width * begin));
+      const bool is_excluded = degree * std::acosh(2 * suspect / next - 1) >= amplification;
+      const bool is_full =
+          m_processed >= kept + 8 || width * (m_basis.size() + pending) > m_operator.rows();
+      if (is_missing || is_excluded || is_full)
         compute_ritz_pairs();
-        return !is_missing;
+      if (is_missing)
+        return false;
+      if (is_excluded)
+        return number_converged() >= number;
+      if (is_full) {
+        keep_largest(kept);
+        begin = m_processed;
       }
-      if (static_cast<double>(steps) * std::acosh(2 / ratio - 1) >= amplification)
-        break;
     }
-    // Nothing was found: back to what was there before.
-    const Eigen::Index removed = m_processed - begin + 1;
-    const Eigen::Index pending = width * (m_basis.size() - begin - removed);
-    const Eigen::Index kept = width * begin;
-    const Eigen::MatrixXd old = m_projected;
-    m_projected.resize(kept + pending, kept + pending);
-    m_projected << old.topLeftCorner(kept, kept), old.topRightCorner(kept, pending),
-        old.bottomLeftCorner(pending, kept), old.bottomRightCorner(pending, pending);
-    m_basis.erase(begin, begin + removed);
-    m_processed = begin;
-    m_number_of_random_vectors -= width;
-    compute_ritz_pairs();
-    return true;
+  }
+
+  // Of A restricted to what the vectors of the processed part of the basis from `first` on span.
+  double largest_eigenvalue_from(Eigen::Index first) const
+  {
+    const Eigen::Index size = width * m_processed - first;
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+               m_projected.block(first, first, size, size), Eigen::EigenvaluesOnly)
+        .eigenvalues()[size - 1];
   }
 
   Eigenpairs eigenpairs(Eigen::Index number, bool have_converged)
@@ -433,11 +424,11 @@ private:
         [this](double nu) { return m_operator.to_eigenvalue(nu); });
     if (number > 0) {
       keep_largest((number + width - 1) / width); // the basis itself has the eigenvectors then
+      Row_block y = m_basis.new_block(m_operator.rows());
+      m_basis.free_spare_memory(); // before there is more
       result.vectors.resize(m_operator.rows(), number);
       internal::prefer_huge_pages(result.vectors.data(),
                                   static_cast<std::size_t>(result.vectors.size()));
-      Row_block y = m_basis.new_block(m_operator.rows());
-      m_basis.free_spare_memory();
       for (Eigen::Index j = 0; j < number; j += width) {
         const Eigen::Index size = (std::min)(width, number - j);
         y = m_basis[j / width];
@@ -463,7 +454,6 @@ private:
   Eigen::MatrixXd m_ritz_couplings; // the parts of `A y` in the pending blocks
   double m_progress = 0;
   bool m_is_loose = false; // whether the first pending block is not quite orthogonal to the others
-  bool m_may_be_loose = true;
 };
 
 } // namespace Surface_mesh_reeb_graph

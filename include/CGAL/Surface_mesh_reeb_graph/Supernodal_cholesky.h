@@ -367,7 +367,7 @@ private:
 
   Eigen::ComputationInfo factorize_fronts(const Column_matrix& a)
   {
-    using Front = internal::Front_factorization<Scalar>;
+    internal::Front_factorization<Scalar> front;
     Workspace work(m_structure, m_size);
     Scalar* top = work.stack.data();
     for (Index s = 0; s < m_structure.number_of_supernodes(); ++s) {
@@ -386,10 +386,10 @@ private:
         top = const_cast<Scalar*>(work.updates.back().triangle);
         work.updates.pop_back();
       }
-      if (!Front::eliminate(panel, width + below, width))
+      if (!front.eliminate(panel, width + below, width))
         return Eigen::NumericalIssue;
       if (below > 0) {
-        Front::subtract_square(panel, width + below, width, square, below);
+        front.subtract_square(panel, width + below, width, square, below);
         work.updates.push_back({s, top});
         for (Index j = 0; j < below; ++j)
           top = std::copy_n(square + j + j * below, below - j, top);

@@ -10,6 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FRONT_FACTORIZATION_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FRONT_FACTORIZATION_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/Rank_update.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
 
 #include <Eigen/Core>
@@ -23,8 +24,8 @@ namespace internal {
 
 // Dense work on the fronts of a multifrontal Cholesky factorization. A front is a panel, the columns that
 // are eliminated, by columns, and the lower triangle of the update that remains for the other rows. Most
-// fronts of a surface mesh are so small that the general products of Eigen spend their time on
-// preparations; blocks of 4 x 4 entries, which fit into registers, do better there.
+// fronts of a surface mesh are so small that general products spend their time on preparations; blocks
+// of 4 x 4 entries, which fit into registers, do better there.
 template <class Scalar>
 class Front_factorization
 {
@@ -34,16 +35,13 @@ class Front_factorization
 public:
   // Replaces the `width` columns of `panel`, whose first `width` rows are symmetric and stored in the lower
   // triangle, by those of the Cholesky factor. Returns whether all pivots are positive and finite.
-  static bool eliminate(Scalar* panel, const Index rows, const Index width)
+  bool eliminate(Scalar* panel, const Index rows, const Index width)
   {
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     constexpr Index block_width = 48;
-    Eigen::Map<Matrix> all(panel, rows, width);
     for (Index j = 0; j < width; j += block_width) {
       const Index end = (std::min)(j + block_width, width);
       if (j > 0)
-        all.block(j, j, rows - j, end - j).noalias() -=
-            all.block(j, 0, rows - j, j) * all.block(j, 0, end - j, j).transpose();
+        m_update.subtract(panel + j, rows, rows - j, end - j, j, panel + j + j * rows, rows);
       if (!eliminate_narrow(panel + j + j * rows, rows, rows - j, end - j))
         return false;
     }
@@ -52,16 +50,13 @@ public:
 
   // Subtracts `B B^T` from the lower triangle of the square matrix `update` of order `below`, where B is
   // the last `below` rows of `panel`. What is above the diagonal is undefined afterwards.
-  static void subtract_square(
+  void subtract_square(
       const Scalar* panel, const Index rows, const Index width, Scalar* update, const Index below)
   {
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    constexpr Index large_below = 48, large_width = 8;
     const Scalar* b = panel + (rows - below);
-    if (below >= 96 && width >= 8) {
-      const Eigen::Map<const Matrix, 0, Eigen::OuterStride<>> factor(
-          b, below, width, Eigen::OuterStride<>(rows));
-      Eigen::Map<Matrix> u(update, below, below);
-      u.template selfadjointView<Eigen::Lower>().rankUpdate(factor, Scalar(-1));
+    if (below >= large_below && width >= large_width) {
+      m_update.subtract(b, rows, below, below, width, update, below);
       return;
     }
     for (Index j = 0; j < below; j += block)
@@ -234,6 +229,8 @@ private:
     tile.solve(d, stride, inverse);
     tile.store(a + depth * stride, stride);
   }
+
+  Rank_update<Scalar> m_update;
 };
 
 } // namespace internal

@@ -70,17 +70,12 @@ add_transposed_product(const double* v, const double* w, Eigen::Index rows, Bloc
   }
 }
 
-// `w -= v c` for blocks of `rows` rows.
-inline void
-subtract_product(double* w, const double* v, Eigen::Index rows, const Block_coefficients& c)
+// `w -= v c` for the rows from `row` on, without kernels.
+inline void subtract_rows(
+    double* w, const double* v, Eigen::Index row, Eigen::Index rows, const Block_coefficients& c)
 {
   using Row = Eigen::Map<Tile_row, Eigen::Aligned16>;
   using Const_row = Eigen::Map<const Tile_row, Eigen::Aligned16>;
-  Eigen::Index row = 0;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  if (x86::has_kernels())
-    row = x86::subtract_product(w, v, rows, c.data());
-#endif
   for (; row + 2 <= rows; row += 2) {
     const double* v_row = v + block_width * row;
     for (int j = 0; j < block_width; j += tile_width) {
@@ -98,6 +93,52 @@ subtract_product(double* w, const double* v, Eigen::Index rows, const Block_coef
   if (row < rows)
     Eigen::Map<Row_block>(w + block_width * row, 1, block_width).noalias() -=
         Eigen::Map<const Row_block>(v + block_width * row, 1, block_width) * c;
+}
+
+// `w -= v c` for blocks of `rows` rows.
+inline void
+subtract_product(double* w, const double* v, Eigen::Index rows, const Block_coefficients& c)
+{
+  Eigen::Index row = 0;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels())
+    row = x86::subtract_product(w, v, rows, c.data());
+#endif
+  subtract_rows(w, v, row, rows, c);
+}
+
+// Both of these for two blocks w and x at once: `c += v^T w`, `d += v^T x`; `w -= v c`, `x -= v d`.
+inline void add_transposed_products(const double* v,
+                                    const double* w,
+                                    const double* x,
+                                    Eigen::Index rows,
+                                    Block_coefficients& c,
+                                    Block_coefficients& d)
+{
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels()) {
+    x86::add_transposed_products(v, w, x, rows, c.data(), d.data());
+    return;
+  }
+#endif
+  add_transposed_product(v, w, rows, c);
+  add_transposed_product(v, x, rows, d);
+}
+
+inline void subtract_products(double* w,
+                              double* x,
+                              const double* v,
+                              Eigen::Index rows,
+                              const Block_coefficients& c,
+                              const Block_coefficients& d)
+{
+  Eigen::Index row = 0;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels())
+    row = x86::subtract_products(w, x, v, rows, c.data(), d.data());
+#endif
+  subtract_rows(w, v, row, rows, c);
+  subtract_rows(x, v, row, rows, d);
 }
 
 // `v^T w`
@@ -191,32 +232,31 @@ public:
   // `w -= V (V^T w)`; returns `w^T w` of the result.
   //
   // The block `loose`, if it is not negative, is not quite orthogonal to the others yet, and is made so
-  // on the way, while these are in the cache: `error` becomes the largest of its scalar products with
-  // them.
-  Block_coefficients project_out_of(Row_block& w, Eigen::Index loose, double& error)
+  // on the way, while these are in the cache.
+  Block_coefficients project_out_of(Row_block& w, Eigen::Index loose)
   {
     std::vector<Block_coefficients> c(m_blocks.size(), Block_coefficients::Zero()), d = c;
     for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
       for (Eigen::Index i = 0; i < this->size(); ++i) {
         const std::size_t k = static_cast<std::size_t>(i);
-        add_transposed_product(chunk(i, row), chunk(w, row), size, c[k]);
         if (loose >= 0 && i != loose)
-          add_transposed_product(chunk(i, row), chunk(loose, row), size, d[k]);
+          add_transposed_products(
+              chunk(i, row), chunk(w, row), chunk(loose, row), size, c[k], d[k]);
+        else
+          add_transposed_product(chunk(i, row), chunk(w, row), size, c[k]);
       }
     });
     Block_coefficients square = Block_coefficients::Zero();
     for_chunks(w.rows(), [&](Eigen::Index row, Eigen::Index size) {
       for (Eigen::Index i = 0; i < this->size(); ++i) {
         const std::size_t k = static_cast<std::size_t>(i);
-        subtract_product(chunk(w, row), chunk(i, row), size, c[k]);
         if (loose >= 0 && i != loose)
-          subtract_product(chunk(loose, row), chunk(i, row), size, d[k]);
+          subtract_products(chunk(w, row), chunk(loose, row), chunk(i, row), size, c[k], d[k]);
+        else
+          subtract_product(chunk(w, row), chunk(i, row), size, c[k]);
       }
       add_transposed_product(chunk(w, row), chunk(w, row), size, square);
     });
-    error = 0;
-    for (const Block_coefficients& x : d)
-      error = (std::max)(error, x.cwiseAbs().maxCoeff());
     return square;
   }
 
