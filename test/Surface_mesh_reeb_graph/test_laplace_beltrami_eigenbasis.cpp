@@ -1976,8 +1976,10 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
                          const auto& add_transposed_products,
                          const auto& subtract_product,
                          const auto& subtract_products,
-                         const auto& subtract_four_columns,
-                         const auto& subtract_four_transposed_columns,
+                         const auto& forward,
+                         const auto& backward,
+                         const auto& gather,
+                         const auto& scatter,
                          const auto& subtract_tile) {
     for (const Eigen::Index n : {1, 3, 4, 7, 8, 9, 31, 64, 100}) {
       const double rounding = 8 * epsilon * static_cast<double>(n + 8);
@@ -2021,36 +2023,80 @@ BOOST_AUTO_TEST_CASE(kernels_of_all_instruction_sets_agree)
       expected_tile.middleRows(1, 16) -= a.transpose() * v;
       BOOST_TEST((tile - expected_tile).cwiseAbs().maxCoeff() <= rounding);
 
-      // columns that are longer than what is used of them
-      const Eigen::MatrixXd l = random_matrix(n + 3, 4);
-      const Matrix x = random_matrix(4, 8);
-      y = w;
-      subtract_four_columns(l.data(), n + 3, n, x.data(), y.data());
-      BOOST_TEST((y - (w - l.topRows(n) * x)).cwiseAbs().maxCoeff() <= rounding);
-      Matrix z = x;
-      subtract_four_transposed_columns(l.data(), n + 3, n, w.data(), z.data());
-      BOOST_TEST((z - (x - l.topRows(n).transpose() * w)).cwiseAbs().maxCoeff() <= rounding);
+      // two of the rows in the triangle, the others below
+      const auto check_columns = [&](const auto columns) {
+        constexpr Eigen::Index k = decltype(columns)::value;
+        Eigen::MatrixXd l = random_matrix(k + 2 + n, k);
+        l.diagonal().array() += 2;
+        const Matrix x = random_matrix(k + 2, 8);
+        const auto triangle = l.topRows(k).template triangularView<Eigen::Lower>();
+        Matrix expected_x = x;
+        expected_x.topRows(k) = triangle.solve(Matrix(x.topRows(k)));
+        expected_x.bottomRows(2) -= l.middleRows(k, 2) * expected_x.topRows(k);
+        const Matrix expected_y = w - l.bottomRows(n) * expected_x.topRows(k);
+        Matrix found_x = x, found_y = w;
+        forward(columns, l.data(), l.rows(), 2, n, found_x.data(), found_y.data());
+        BOOST_TEST((found_x - expected_x).cwiseAbs().maxCoeff() <= rounding);
+        BOOST_TEST((found_y - expected_y).cwiseAbs().maxCoeff() <= rounding);
+
+        expected_x = x;
+        expected_x.topRows(k) -= l.bottomRows(n).transpose() * w;
+        expected_x.topRows(k) -= l.middleRows(k, 2).transpose() * x.bottomRows(2);
+        expected_x.topRows(k) = triangle.transpose().solve(Matrix(expected_x.topRows(k)));
+        found_x = x;
+        backward(columns, l.data(), l.rows(), 2, n, found_x.data(), w.data());
+        BOOST_TEST((found_x - expected_x).cwiseAbs().maxCoeff() <= rounding);
+      };
+      check_columns(std::integral_constant<int, 1>());
+      check_columns(std::integral_constant<int, 2>());
+      check_columns(std::integral_constant<int, 3>());
+      check_columns(std::integral_constant<int, 4>());
+
+      std::vector<int> rows(static_cast<std::size_t>(n));
+      std::iota(rows.begin(), rows.end(), 0);
+      std::shuffle(rows.begin(), rows.end(), rng);
+      Matrix gathered(n, 8), scattered(n, 8);
+      gather(w.data(), rows.data(), n, gathered.data());
+      scatter(gathered.data(), rows.data(), n, scattered.data());
+      for (Eigen::Index i = 0; i < n; ++i)
+        BOOST_TEST(
+            (gathered.row(i).array() == w.row(rows[static_cast<std::size_t>(i)]).array()).all());
+      BOOST_TEST((scattered.array() == w.array()).all());
     }
   };
   int number = 0;
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    check(internal::avx2::add_transposed_product,
-          internal::avx2::add_transposed_products,
-          internal::avx2::subtract_product,
-          internal::avx2::subtract_products,
-          internal::avx2::subtract_four_columns,
-          internal::avx2::subtract_four_transposed_columns,
-          internal::avx2::subtract_tile);
+    check(
+        internal::avx2::add_transposed_product,
+        internal::avx2::add_transposed_products,
+        internal::avx2::subtract_product,
+        internal::avx2::subtract_products,
+        [](const auto columns, const auto... arguments) {
+          internal::avx2::substitute_forward<decltype(columns)::value>(arguments...);
+        },
+        [](const auto columns, const auto... arguments) {
+          internal::avx2::substitute_backward<decltype(columns)::value>(arguments...);
+        },
+        internal::avx2::gather_rows<int>,
+        internal::avx2::scatter_rows<int>,
+        internal::avx2::subtract_tile);
     ++number;
   }
   if (internal::x86::has_avx512()) {
-    check(internal::avx512::add_transposed_product,
-          internal::avx512::add_transposed_products,
-          internal::avx512::subtract_product,
-          internal::avx512::subtract_products,
-          internal::avx512::subtract_four_columns,
-          internal::avx512::subtract_four_transposed_columns,
-          internal::avx512::subtract_tile);
+    check(
+        internal::avx512::add_transposed_product,
+        internal::avx512::add_transposed_products,
+        internal::avx512::subtract_product,
+        internal::avx512::subtract_products,
+        [](const auto columns, const auto... arguments) {
+          internal::avx512::substitute_forward<decltype(columns)::value>(arguments...);
+        },
+        [](const auto columns, const auto... arguments) {
+          internal::avx512::substitute_backward<decltype(columns)::value>(arguments...);
+        },
+        internal::avx512::gather_rows<int>,
+        internal::avx512::scatter_rows<int>,
+        internal::avx512::subtract_tile);
     ++number;
   }
   BOOST_TEST_MESSAGE(number << " instruction sets");

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Register_vector.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Supernodal_structure.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/huge_pages.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/prefetch.h>
 
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
@@ -476,28 +477,32 @@ private:
   template <int Columns>
   void substitute(Scalar* x, Scalar* below) const
   {
-    using Row = internal::Register_vector<Scalar, Columns>;
     const Index number = m_structure.number_of_supernodes();
     const auto panel = [this](const Index s) {
       return internal::Panel_solver<Scalar, Columns>(m_factor.data() + m_structure.offset(s),
                                                      m_structure.width(s),
                                                      m_structure.number_of_rows_below(s));
     };
-    const auto gather = [&](const Index s) {
+    // the rows of the next panel are asked for meanwhile
+    const auto prefetch_rows = [&](const Index s) {
       const StorageIndex* const rows = m_structure.rows_below(s);
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
-        Row::load(x + rows[i] * Index(Columns)).store(below + i * Columns);
+        internal::prefetch(x + rows[i] * Index(Columns));
     };
     for (Index s = 0; s < number; ++s) {
-      gather(s);
-      panel(s).forward(x + m_structure.first_column(s) * Index(Columns), below);
-      const StorageIndex* const rows = m_structure.rows_below(s);
-      for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
-        Row::load(below + i * Columns).store(x + rows[i] * Index(Columns));
+      if (s + 1 < number)
+        prefetch_rows(s + 1);
+      const auto solver = panel(s);
+      solver.gather(x, m_structure.rows_below(s), below);
+      solver.forward(x + m_structure.first_column(s) * Index(Columns), below);
+      solver.scatter(below, m_structure.rows_below(s), x);
     }
     for (Index s = number - 1; s >= 0; --s) {
-      gather(s);
-      panel(s).backward(x + m_structure.first_column(s) * Index(Columns), below);
+      if (s > 0)
+        prefetch_rows(s - 1);
+      const auto solver = panel(s);
+      solver.gather(x, m_structure.rows_below(s), below);
+      solver.backward(x + m_structure.first_column(s) * Index(Columns), below);
     }
   }
 

@@ -29,10 +29,40 @@ class Panel_solver
   using Index = Eigen::Index;
   using Row = Register_vector<Scalar, Columns>;
 
+  static constexpr bool has_kernels = std::is_same_v<Scalar, double> && Columns == 8;
+
 public:
   Panel_solver(const Scalar* panel, const Index width, const Index below)
     : m_panel(panel), m_width(width), m_below(below), m_rows(width + below)
   {}
+
+  // Copies the rows of x that lie below to y, and back.
+  template <class StorageIndex>
+  void gather(const Scalar* x, const StorageIndex* rows, Scalar* y) const
+  {
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+    if constexpr (has_kernels)
+      if (x86::has_kernels()) {
+        x86::gather_rows(x, rows, m_below, y);
+        return;
+      }
+#endif
+    for (Index i = 0; i < m_below; ++i)
+      Row::load(x + rows[i] * Index(Columns)).store(y + i * Columns);
+  }
+  template <class StorageIndex>
+  void scatter(const Scalar* y, const StorageIndex* rows, Scalar* x) const
+  {
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+    if constexpr (has_kernels)
+      if (x86::has_kernels()) {
+        x86::scatter_rows(y, rows, m_below, x);
+        return;
+      }
+#endif
+    for (Index i = 0; i < m_below; ++i)
+      Row::load(y + i * Columns).store(x + rows[i] * Index(Columns));
+  }
 
   // x := L11^-1 x, y := y - L21 x
   void forward(Scalar* x, Scalar* y) const
@@ -40,25 +70,34 @@ public:
     Index j = 0;
     for (; j + 4 <= m_width; j += 4)
       forward_columns<4>(j, x, y);
-    for (; j + 2 <= m_width; j += 2)
+    switch (m_width - j) {
+    case 3:
+      forward_columns<3>(j, x, y);
+      break;
+    case 2:
       forward_columns<2>(j, x, y);
-    if (j < m_width)
+      break;
+    case 1:
       forward_columns<1>(j, x, y);
+    }
   }
 
   // x := L11^-T (x - L21^T y)
   void backward(Scalar* x, const Scalar* y) const
   {
     Index j = m_width;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (std::is_same_v<Scalar, double> && Columns == 8)
-      for (; x86::has_kernels() && j >= 4; j -= 4)
-        backward_columns<4>(j - 4, x, y);
-#endif
-    for (; j >= 2; j -= 2)
-      backward_columns<2>(j - 2, x, y);
-    if (j > 0)
+    for (; j >= 4; j -= 4)
+      backward_columns<4>(j - 4, x, y);
+    switch (j) {
+    case 3:
+      backward_columns<3>(0, x, y);
+      break;
+    case 2:
+      backward_columns<2>(0, x, y);
+      break;
+    case 1:
       backward_columns<1>(0, x, y);
+    }
   }
 
 private:
@@ -71,6 +110,14 @@ private:
   void forward_columns(const Index j, Scalar* x, Scalar* y) const
   {
     Scalar* const x_j = x + j * Columns;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+    if constexpr (has_kernels)
+      if (x86::has_kernels()) {
+        x86::substitute_forward<Number>(
+            column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
+        return;
+      }
+#endif
     for (int k = 0; k < Number; ++k) {
       const Scalar* const l = column(j + k) + j;
       Row row = Row::load(x_j + k * Columns);
@@ -99,28 +146,23 @@ private:
       };
       if constexpr (Number == 4)
         result -= (term(0) + term(1)) + (term(2) + term(3));
+      else if constexpr (Number == 3)
+        result -= term(0) + term(1) + term(2);
       else if constexpr (Number == 2)
         result -= term(0) + term(1);
       else
         result -= term(0);
       return;
     }
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (std::is_same_v<Scalar, double> && Columns == 8 && Number == 4)
-      if (x86::has_kernels()) {
-        x86::subtract_four_columns(l, m_rows, rows, x, to);
-        return;
-      }
-#endif
     for (Index i = 0; i < rows; ++i, ++l, to += Columns) {
       Row row = Row::load(to);
       row.subtract(l[0], Row::load(x));
       if constexpr (Number > 1)
         row.subtract(l[m_rows], Row::load(x + Columns));
-      if constexpr (Number > 2) {
+      if constexpr (Number > 2)
         row.subtract(l[2 * m_rows], Row::load(x + 2 * Columns));
+      if constexpr (Number > 3)
         row.subtract(l[3 * m_rows], Row::load(x + 3 * Columns));
-      }
       row.store(to);
     }
   }
@@ -129,6 +171,14 @@ private:
   void backward_columns(const Index j, Scalar* x, const Scalar* y) const
   {
     Scalar* const x_j = x + j * Columns;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+    if constexpr (has_kernels)
+      if (x86::has_kernels()) {
+        x86::substitute_backward<Number>(
+            column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
+        return;
+      }
+#endif
     const Scalar* const l = column(j);
     subtract_transposed<Number>(l + m_width, m_below, y, x_j);
     subtract_transposed<Number>(l + j + Number, m_width - j - Number, x_j + Number * Columns, x_j);
@@ -153,12 +203,11 @@ private:
         to[k] -= Eigen::Map<const Vector>(l + k * m_rows, rows).dot(rhs);
       return;
     }
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (Number == 4) { // nothing else comes here with four columns
-      x86::subtract_four_transposed_columns(l, m_rows, rows, y, to);
+    if constexpr (Number > 2) { // more do not fit into the registers
+      subtract_transposed<2>(l, rows, y, to);
+      subtract_transposed<Number - 2>(l + 2 * m_rows, rows, y, to + 2 * Columns);
       return;
     }
-#endif
     Row first = Row::load(to);
     Row last = Row::load(to + (Number - 1) * Columns);
     for (Index i = 0; i < rows; ++i, ++l, y += Columns) {

@@ -277,13 +277,22 @@ public:
     std::vector<Row_block> products(number_of_products);
     for (Eigen::Index row = 0; row < n; row += rows_in_cache) {
       const Eigen::Index size = (std::min)(rows_in_cache, n - row);
-      for (std::size_t j = 0; j < number_of_products; ++j) {
+      for (std::size_t j = 0; j < number_of_products; ++j)
         products[j].setZero(size, block_width);
-        for (std::size_t i = 0; i < number; ++i)
-          subtract_product(products[j].data(),
-                           m_blocks[i].data() + block_width * row,
-                           size,
-                           minus_q[j * number + i]);
+      for (std::size_t j = 0; j < number_of_products; j += 2) {
+        for (std::size_t i = 0; i < number; ++i) {
+          const double* const v = m_blocks[i].data() + block_width * row;
+          const Block_coefficients& c = minus_q[j * number + i];
+          if (j + 1 < number_of_products)
+            subtract_products(products[j].data(),
+                              products[j + 1].data(),
+                              v,
+                              size,
+                              c,
+                              minus_q[(j + 1) * number + i]);
+          else
+            subtract_product(products[j].data(), v, size, c);
+        }
       }
       for (std::size_t j = 0; j < number_of_products; ++j)
         m_blocks[j].middleRows(row, size) = products[j];

@@ -114,62 +114,127 @@ inline std::ptrdiff_t subtract_products(
   return subtract_product(z, v, rows, d);
 }
 
-// `y -= l x` for four columns of l, `stride` apart, and four rows of x
-__attribute__((target("avx2,fma"))) inline void subtract_four_columns(
+// `y -= l x` for `columns` columns of l, `stride` apart, and as many rows of x
+template <int columns>
+__attribute__((target("avx2,fma"))) void subtract_columns(
     const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* x, double* y)
 {
-  const __m256d x00 = _mm256_loadu_pd(x), x01 = _mm256_loadu_pd(x + 4);
-  const __m256d x10 = _mm256_loadu_pd(x + 8), x11 = _mm256_loadu_pd(x + 12);
-  const __m256d x20 = _mm256_loadu_pd(x + 16), x21 = _mm256_loadu_pd(x + 20);
-  const __m256d x30 = _mm256_loadu_pd(x + 24), x31 = _mm256_loadu_pd(x + 28);
+  __m256d x_rows[2 * columns];
+#pragma GCC unroll 8
+  for (int k = 0; k < 2 * columns; ++k)
+    x_rows[k] = _mm256_loadu_pd(x + 4 * k);
   for (std::ptrdiff_t i = 0; i < rows; ++i, ++l, y += 8) {
     __m256d s0 = _mm256_loadu_pd(y), s1 = _mm256_loadu_pd(y + 4);
-    const __m256d l0 = _mm256_broadcast_sd(l), l1 = _mm256_broadcast_sd(l + stride);
-    s0 = _mm256_fnmadd_pd(l0, x00, s0);
-    s1 = _mm256_fnmadd_pd(l0, x01, s1);
-    s0 = _mm256_fnmadd_pd(l1, x10, s0);
-    s1 = _mm256_fnmadd_pd(l1, x11, s1);
-    const __m256d l2 = _mm256_broadcast_sd(l + 2 * stride),
-                  l3 = _mm256_broadcast_sd(l + 3 * stride);
-    s0 = _mm256_fnmadd_pd(l2, x20, s0);
-    s1 = _mm256_fnmadd_pd(l2, x21, s1);
-    s0 = _mm256_fnmadd_pd(l3, x30, s0);
-    s1 = _mm256_fnmadd_pd(l3, x31, s1);
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k) {
+      const __m256d l_k = _mm256_broadcast_sd(l + k * stride);
+      s0 = _mm256_fnmadd_pd(l_k, x_rows[2 * k], s0);
+      s1 = _mm256_fnmadd_pd(l_k, x_rows[2 * k + 1], s1);
+    }
     _mm256_storeu_pd(y, s0);
     _mm256_storeu_pd(y + 4, s1);
   }
 }
 
-// `x -= l^T y` for four columns of l, `stride` apart, and four rows of x
-__attribute__((target("avx2,fma"))) inline void subtract_four_transposed_columns(
+// `x -= l^T y` for `columns` columns of l, `stride` apart, and as many rows of x
+template <int columns>
+__attribute__((target("avx2,fma"))) void subtract_transposed_columns(
     const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* y, double* x)
 {
-  __m256d s00 = _mm256_loadu_pd(x), s01 = _mm256_loadu_pd(x + 4);
-  __m256d s10 = _mm256_loadu_pd(x + 8), s11 = _mm256_loadu_pd(x + 12);
-  __m256d s20 = _mm256_loadu_pd(x + 16), s21 = _mm256_loadu_pd(x + 20);
-  __m256d s30 = _mm256_loadu_pd(x + 24), s31 = _mm256_loadu_pd(x + 28);
+  __m256d s[2 * columns];
+#pragma GCC unroll 8
+  for (int k = 0; k < 2 * columns; ++k)
+    s[k] = _mm256_loadu_pd(x + 4 * k);
   for (std::ptrdiff_t i = 0; i < rows; ++i, ++l, y += 8) {
     const __m256d y0 = _mm256_loadu_pd(y), y1 = _mm256_loadu_pd(y + 4);
-    const __m256d l0 = _mm256_broadcast_sd(l), l1 = _mm256_broadcast_sd(l + stride);
-    s00 = _mm256_fnmadd_pd(l0, y0, s00);
-    s01 = _mm256_fnmadd_pd(l0, y1, s01);
-    s10 = _mm256_fnmadd_pd(l1, y0, s10);
-    s11 = _mm256_fnmadd_pd(l1, y1, s11);
-    const __m256d l2 = _mm256_broadcast_sd(l + 2 * stride),
-                  l3 = _mm256_broadcast_sd(l + 3 * stride);
-    s20 = _mm256_fnmadd_pd(l2, y0, s20);
-    s21 = _mm256_fnmadd_pd(l2, y1, s21);
-    s30 = _mm256_fnmadd_pd(l3, y0, s30);
-    s31 = _mm256_fnmadd_pd(l3, y1, s31);
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k) {
+      const __m256d l_k = _mm256_broadcast_sd(l + k * stride);
+      s[2 * k] = _mm256_fnmadd_pd(l_k, y0, s[2 * k]);
+      s[2 * k + 1] = _mm256_fnmadd_pd(l_k, y1, s[2 * k + 1]);
+    }
   }
-  _mm256_storeu_pd(x, s00);
-  _mm256_storeu_pd(x + 4, s01);
-  _mm256_storeu_pd(x + 8, s10);
-  _mm256_storeu_pd(x + 12, s11);
-  _mm256_storeu_pd(x + 16, s20);
-  _mm256_storeu_pd(x + 20, s21);
-  _mm256_storeu_pd(x + 24, s30);
-  _mm256_storeu_pd(x + 28, s31);
+#pragma GCC unroll 8
+  for (int k = 0; k < 2 * columns; ++k)
+    _mm256_storeu_pd(x + 4 * k, s[k]);
+}
+
+// Both substitutions for `columns` columns of a panel of a triangular factor, `stride` apart, the first of which begins
+// on the diagonal at l. The triangle has `inside` rows below those columns, and there are `below` rows below
+// the triangle. x are the rows of the right-hand sides from the first of the columns on, y those below the triangle.
+template <int columns>
+__attribute__((target("avx2,fma"))) void substitute_forward(const double* l,
+                                                            std::ptrdiff_t stride,
+                                                            std::ptrdiff_t inside,
+                                                            std::ptrdiff_t below,
+                                                            double* x,
+                                                            double* y)
+{
+  for (int half = 0; half < 8; half += 4) {
+    __m256d r[columns];
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k)
+      r[k] = _mm256_loadu_pd(x + 8 * k + half);
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k) {
+      r[k] = _mm256_mul_pd(r[k], _mm256_set1_pd(1 / l[k + k * stride]));
+#pragma GCC unroll 4
+      for (int i = k + 1; i < columns; ++i)
+        r[i] = _mm256_fnmadd_pd(_mm256_set1_pd(l[i + k * stride]), r[k], r[i]);
+      _mm256_storeu_pd(x + 8 * k + half, r[k]);
+    }
+  }
+  subtract_columns<columns>(l + columns, stride, inside, x, x + 8 * columns);
+  subtract_columns<columns>(l + columns + inside, stride, below, x, y);
+}
+
+template <int columns>
+__attribute__((target("avx2,fma"))) void substitute_backward(const double* l,
+                                                             std::ptrdiff_t stride,
+                                                             std::ptrdiff_t inside,
+                                                             std::ptrdiff_t below,
+                                                             double* x,
+                                                             const double* y)
+{
+  subtract_transposed_columns<columns>(l + columns + inside, stride, below, y, x);
+  subtract_transposed_columns<columns>(l + columns, stride, inside, x + 8 * columns, x);
+  for (int half = 0; half < 8; half += 4) {
+    __m256d r[columns];
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k)
+      r[k] = _mm256_loadu_pd(x + 8 * k + half);
+#pragma GCC unroll 4
+    for (int k = columns - 1; k >= 0; --k) {
+      r[k] = _mm256_mul_pd(r[k], _mm256_set1_pd(1 / l[k + k * stride]));
+#pragma GCC unroll 4
+      for (int i = 0; i < k; ++i)
+        r[i] = _mm256_fnmadd_pd(_mm256_set1_pd(l[k + i * stride]), r[k], r[i]);
+      _mm256_storeu_pd(x + 8 * k + half, r[k]);
+    }
+  }
+}
+
+// Copies rows of x to `to`, and back.
+template <class Index>
+__attribute__((target("avx2,fma"))) void
+gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
+{
+  for (std::ptrdiff_t i = 0; i < number; ++i, to += 8) {
+    const double* const row = x + 8 * static_cast<std::ptrdiff_t>(rows[i]);
+    _mm256_storeu_pd(to, _mm256_loadu_pd(row));
+    _mm256_storeu_pd(to + 4, _mm256_loadu_pd(row + 4));
+  }
+}
+
+template <class Index>
+__attribute__((target("avx2,fma"))) void
+scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
+{
+  for (std::ptrdiff_t i = 0; i < number; ++i, from += 8) {
+    double* const row = x + 8 * static_cast<std::ptrdiff_t>(rows[i]);
+    _mm256_storeu_pd(row, _mm256_loadu_pd(from));
+    _mm256_storeu_pd(row + 4, _mm256_loadu_pd(from + 4));
+  }
 }
 
 // `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
@@ -339,38 +404,108 @@ __attribute__((target("avx512f"))) inline std::ptrdiff_t subtract_products(
   return row;
 }
 
-// `y -= l x` for four columns of l, `stride` apart, and four rows of x
-__attribute__((target("avx512f"))) inline void subtract_four_columns(
+// `y -= l x` for `columns` columns of l, `stride` apart, and as many rows of x
+template <int columns>
+__attribute__((target("avx512f"))) void subtract_columns(
     const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* x, double* y)
 {
-  const __m512d x0 = _mm512_loadu_pd(x), x1 = _mm512_loadu_pd(x + 8), x2 = _mm512_loadu_pd(x + 16),
-                x3 = _mm512_loadu_pd(x + 24);
+  __m512d x_rows[columns];
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k)
+    x_rows[k] = _mm512_loadu_pd(x + 8 * k);
   for (std::ptrdiff_t i = 0; i < rows; ++i, ++l, y += 8) {
-    __m512d s = _mm512_fnmadd_pd(_mm512_set1_pd(l[0]), x0, _mm512_loadu_pd(y));
-    s = _mm512_fnmadd_pd(_mm512_set1_pd(l[stride]), x1, s);
-    s = _mm512_fnmadd_pd(_mm512_set1_pd(l[2 * stride]), x2, s);
-    s = _mm512_fnmadd_pd(_mm512_set1_pd(l[3 * stride]), x3, s);
+    __m512d s = _mm512_loadu_pd(y);
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k)
+      s = _mm512_fnmadd_pd(_mm512_set1_pd(l[k * stride]), x_rows[k], s);
     _mm512_storeu_pd(y, s);
   }
 }
 
-// `x -= l^T y` for four columns of l, `stride` apart, and four rows of x
-__attribute__((target("avx512f"))) inline void subtract_four_transposed_columns(
+// `x -= l^T y` for `columns` columns of l, `stride` apart, and as many rows of x
+template <int columns>
+__attribute__((target("avx512f"))) void subtract_transposed_columns(
     const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* y, double* x)
 {
-  __m512d s0 = _mm512_loadu_pd(x), s1 = _mm512_loadu_pd(x + 8), s2 = _mm512_loadu_pd(x + 16),
-          s3 = _mm512_loadu_pd(x + 24);
+  __m512d s[columns];
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k)
+    s[k] = _mm512_loadu_pd(x + 8 * k);
   for (std::ptrdiff_t i = 0; i < rows; ++i, ++l, y += 8) {
     const __m512d row = _mm512_loadu_pd(y);
-    s0 = _mm512_fnmadd_pd(_mm512_set1_pd(l[0]), row, s0);
-    s1 = _mm512_fnmadd_pd(_mm512_set1_pd(l[stride]), row, s1);
-    s2 = _mm512_fnmadd_pd(_mm512_set1_pd(l[2 * stride]), row, s2);
-    s3 = _mm512_fnmadd_pd(_mm512_set1_pd(l[3 * stride]), row, s3);
+#pragma GCC unroll 4
+    for (int k = 0; k < columns; ++k)
+      s[k] = _mm512_fnmadd_pd(_mm512_set1_pd(l[k * stride]), row, s[k]);
   }
-  _mm512_storeu_pd(x, s0);
-  _mm512_storeu_pd(x + 8, s1);
-  _mm512_storeu_pd(x + 16, s2);
-  _mm512_storeu_pd(x + 24, s3);
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k)
+    _mm512_storeu_pd(x + 8 * k, s[k]);
+}
+
+// Both substitutions for `columns` columns of a panel of a triangular factor, as above.
+template <int columns>
+__attribute__((target("avx512f"))) void substitute_forward(const double* l,
+                                                           std::ptrdiff_t stride,
+                                                           std::ptrdiff_t inside,
+                                                           std::ptrdiff_t below,
+                                                           double* x,
+                                                           double* y)
+{
+  __m512d r[columns];
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k)
+    r[k] = _mm512_loadu_pd(x + 8 * k);
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k) {
+    r[k] = _mm512_mul_pd(r[k], _mm512_set1_pd(1 / l[k + k * stride]));
+#pragma GCC unroll 4
+    for (int i = k + 1; i < columns; ++i)
+      r[i] = _mm512_fnmadd_pd(_mm512_set1_pd(l[i + k * stride]), r[k], r[i]);
+    _mm512_storeu_pd(x + 8 * k, r[k]);
+  }
+  subtract_columns<columns>(l + columns, stride, inside, x, x + 8 * columns);
+  subtract_columns<columns>(l + columns + inside, stride, below, x, y);
+}
+
+template <int columns>
+__attribute__((target("avx512f"))) void substitute_backward(const double* l,
+                                                            std::ptrdiff_t stride,
+                                                            std::ptrdiff_t inside,
+                                                            std::ptrdiff_t below,
+                                                            double* x,
+                                                            const double* y)
+{
+  subtract_transposed_columns<columns>(l + columns + inside, stride, below, y, x);
+  subtract_transposed_columns<columns>(l + columns, stride, inside, x + 8 * columns, x);
+  __m512d r[columns];
+#pragma GCC unroll 4
+  for (int k = 0; k < columns; ++k)
+    r[k] = _mm512_loadu_pd(x + 8 * k);
+#pragma GCC unroll 4
+  for (int k = columns - 1; k >= 0; --k) {
+    r[k] = _mm512_mul_pd(r[k], _mm512_set1_pd(1 / l[k + k * stride]));
+#pragma GCC unroll 4
+    for (int i = 0; i < k; ++i)
+      r[i] = _mm512_fnmadd_pd(_mm512_set1_pd(l[k + i * stride]), r[k], r[i]);
+    _mm512_storeu_pd(x + 8 * k, r[k]);
+  }
+}
+
+// Copies rows of x to `to`, and back.
+template <class Index>
+__attribute__((target("avx512f"))) void
+gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
+{
+  for (std::ptrdiff_t i = 0; i < number; ++i)
+    _mm512_storeu_pd(to + 8 * i, _mm512_loadu_pd(x + 8 * static_cast<std::ptrdiff_t>(rows[i])));
+}
+
+template <class Index>
+__attribute__((target("avx512f"))) void
+scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
+{
+  for (std::ptrdiff_t i = 0; i < number; ++i)
+    _mm512_storeu_pd(x + 8 * static_cast<std::ptrdiff_t>(rows[i]), _mm512_loadu_pd(from + 8 * i));
 }
 
 // `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
@@ -442,18 +577,40 @@ inline std::ptrdiff_t subtract_products(
   return (has_avx512() ? avx512::subtract_products : avx2::subtract_products)(y, z, v, rows, c, d);
 }
 
-inline void subtract_four_columns(
-    const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* x, double* y)
+template <int columns>
+void substitute_forward(const double* l,
+                        std::ptrdiff_t stride,
+                        std::ptrdiff_t inside,
+                        std::ptrdiff_t below,
+                        double* x,
+                        double* y)
 {
-  (has_avx512() ? avx512::subtract_four_columns
-                : avx2::subtract_four_columns)(l, stride, rows, x, y);
+  (has_avx512() ? avx512::substitute_forward<columns>
+                : avx2::substitute_forward<columns>)(l, stride, inside, below, x, y);
 }
 
-inline void subtract_four_transposed_columns(
-    const double* l, std::ptrdiff_t stride, std::ptrdiff_t rows, const double* y, double* x)
+template <int columns>
+void substitute_backward(const double* l,
+                         std::ptrdiff_t stride,
+                         std::ptrdiff_t inside,
+                         std::ptrdiff_t below,
+                         double* x,
+                         const double* y)
 {
-  (has_avx512() ? avx512::subtract_four_transposed_columns
-                : avx2::subtract_four_transposed_columns)(l, stride, rows, y, x);
+  (has_avx512() ? avx512::substitute_backward<columns>
+                : avx2::substitute_backward<columns>)(l, stride, inside, below, x, y);
+}
+
+template <class Index>
+void gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
+{
+  (has_avx512() ? avx512::gather_rows<Index> : avx2::gather_rows<Index>)(x, rows, number, to);
+}
+
+template <class Index>
+void scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
+{
+  (has_avx512() ? avx512::scatter_rows<Index> : avx2::scatter_rows<Index>)(from, rows, number, x);
 }
 
 constexpr std::ptrdiff_t tile_rows = 16, tile_columns = 8;
