@@ -11,7 +11,6 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CRITICAL_NODES_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_star.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_states.h>
@@ -40,7 +39,6 @@ struct Critical_nodes
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Paths = Monotone_paths<TriangleMesh, VertexOrder, VertexIndexMap>;
   using Star = Vertex_star<TriangleMesh>;
 
   std::size_t size() const { return vertex.size(); }
@@ -69,6 +67,8 @@ struct Critical_nodes
   // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
   std::vector<std::uint32_t> lower_begin, upper_begin;
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
+  std::vector<std::uint32_t>
+      upper_path; // by wedge; none for the way to another node of the same vertex
   // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null for the way to
   // another node of the same vertex
   std::vector<halfedge_descriptor> lower_halfedge, upper_halfedge;
@@ -81,9 +81,8 @@ class Critical_node_finder
   using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
-  using Paths = typename Nodes::Paths;
+  using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Star = typename Nodes::Star;
-  using Marks = typename Paths::Marks;
 
 public:
   Critical_node_finder(const TriangleMesh& tmesh,
@@ -106,22 +105,19 @@ public:
       for (std::size_t i = begin; i < end; ++i)
         read_wedges(static_cast<std::uint32_t>(i), reader);
     });
-    const Marks no_marks;
-    follow(nodes.lower_halfedge, descents, no_marks, nodes.lower_end);
-    follow(nodes.upper_halfedge, ascents, no_marks, nodes.upper_end);
+    find_ends(follow(nodes.lower_halfedge, descents), descents, nodes.lower_end);
+    nodes.upper_path = follow(nodes.upper_halfedge, ascents);
+    find_ends(nodes.upper_path, ascents, nodes.upper_end);
     sort(nodes);
   }
 
   // Finds the ends of the upward paths again, when there are cuts.
-  void follow_ascents(Nodes& nodes, Paths& ascents, const Marks& marks) const
+  void cut_ascents(Nodes& nodes, Paths& ascents, std::vector<typename Paths::Cut>&& cuts) const
   {
-    ascents.forget();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      ascents.set_end(nodes.vertex[i], nodes.mesh_number[i]);
-    follow(nodes.upper_halfedge, ascents, marks, nodes.upper_end);
+    ascents.set_cuts(std::move(cuts));
     for (std::size_t w = 0; w < nodes.upper_end.size(); ++w)
-      if (nodes.upper_halfedge[w] != null_halfedge())
-        nodes.upper_end[w] = nodes.number_of_end(nodes.upper_end[w]);
+      if (nodes.upper_path[w] != Paths::no_path)
+        nodes.upper_end[w] = nodes.number_of_end(ascents.end(nodes.upper_path[w]));
   }
 
 private:
@@ -177,8 +173,8 @@ private:
           number = star.number_of_simple_saddles();
       }
       const std::uint32_t node = static_cast<std::uint32_t>(nodes.size());
-      descents.set_end(v, node);
-      ascents.set_end(v, node);
+      descents.set_node(v, node);
+      ascents.set_node(v, node);
       for (std::size_t k = 0; k < number; ++k) {
         nodes.vertex.push_back(v);
         nodes.lower_begin.push_back(nodes.lower_begin.back() +
@@ -193,32 +189,30 @@ private:
     nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
   }
 
-  // Finds the ends of the paths through the wedges. A way from a node to another one of the same vertex has no
-  // edge, and ends there.
-  void follow(const std::vector<halfedge_descriptor>& halfedges,
-              Paths& paths,
-              const Marks& marks,
-              std::vector<std::uint32_t>& ends) const
+  // Follows the paths through the wedges, and returns their numbers. A way from a node to another one of the same
+  // vertex has no edge, and no path.
+  std::vector<std::uint32_t>
+  follow(const std::vector<halfedge_descriptor>& halfedges, Paths& paths) const
   {
-    for_each_range<ConcurrencyTag>(ends.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> wedges;
-      wedges.reserve(end - begin);
-      for (std::uint32_t w = static_cast<std::uint32_t>(begin); w < end; ++w) {
-        if (halfedges[w] == null_halfedge())
-          continue;
-        const std::uint32_t leaf = marks.leaf(index(target(halfedges[w], m_tmesh)), halfedges[w]);
-        if (leaf != no_node)
-          ends[w] = leaf;
-        else
-          wedges.push_back(w);
+    std::vector<std::uint32_t> path_of_wedge(halfedges.size(), Paths::no_path);
+    std::vector<halfedge_descriptor> edges;
+    edges.reserve(halfedges.size());
+    for (std::size_t w = 0; w < halfedges.size(); ++w)
+      if (halfedges[w] != null_halfedge()) {
+        path_of_wedge[w] = static_cast<std::uint32_t>(edges.size()); // these are the first paths
+        edges.push_back(halfedges[w]);
       }
-      paths.follow(
-          0,
-          wedges.size(),
-          marks,
-          [&](std::size_t i) { return source(halfedges[wedges[i]], m_tmesh); },
-          [&](std::size_t i, std::uint32_t node) { ends[wedges[i]] = node; });
-    });
+    paths.follow(edges.size(), [&](std::size_t i) { return source(edges[i], m_tmesh); });
+    return path_of_wedge;
+  }
+
+  void find_ends(const std::vector<std::uint32_t>& path_of_wedge,
+                 Paths& paths,
+                 std::vector<std::uint32_t>& ends) const
+  {
+    for (std::size_t w = 0; w < ends.size(); ++w)
+      if (path_of_wedge[w] != Paths::no_path)
+        ends[w] = paths.end(path_of_wedge[w]);
   }
 
   void read_wedges(std::uint32_t node, Reader& reader) const
@@ -334,6 +328,7 @@ private:
       end = nodes.number[end];
     renumber_wedges(nodes.mesh_number, nodes.lower_begin, nodes.lower_halfedge);
     renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_halfedge);
+    renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_path);
     std::vector<std::uint32_t> begin =
         renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_end);
     nodes.upper_begin = std::move(begin);

@@ -57,7 +57,7 @@ class Cutting
   using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Places = Vertex_places<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Paths = typename Nodes::Paths;
+  using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
 public:
@@ -88,29 +88,27 @@ public:
         [&]() { merge_sublevel_sets(m_nodes, sequence, m_sublevel_forest); },
         [&]() { merge_superlevel_sets(sequence); });
 
-    Cuts cuts(m_tmesh,
-              m_order,
-              m_vertex_index_map,
-              m_index_bound,
-              m_nodes,
-              m_states.has_border(),
-              budget);
+    Cuts cuts(m_tmesh, m_order, m_nodes, ascents, m_states.has_border(), budget);
     m_may_have_loops = nodes_that_may_have_loops(ascents);
+    if (!m_may_have_loops.empty() && !cuts.find_components(m_may_have_loops))
+      return false;
+    Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
+    if (m_request.has_vertex_arcs)
+      places.follow_paths(descents, ascents);
     if (!m_may_have_loops.empty()) {
       Merge_forest forest; // the other one is needed without the cuts if there are none in the end
-      if (!cuts.run(m_may_have_loops, forest))
+      if (!cuts.cut(m_may_have_loops, forest))
         return false;
       m_sublevel_forest = std::move(forest);
       sequence = std::move(cuts.sequence);
       if (!cuts.saddles.empty()) {
-        finder.follow_ascents(m_nodes, ascents, cuts.marks);
+        finder.cut_ascents(m_nodes, ascents, std::move(cuts.cuts));
         merge_superlevel_sets(sequence);
       }
     }
-
-    Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
     if (m_request.has_vertex_arcs)
       places.find(sequence, m_sublevel_forest, m_superlevel_forest, descents, ascents);
+
     m_number_below.resize(m_nodes.size());
     m_number_above.resize(m_nodes.size());
     for (std::uint32_t node = 0; node < m_nodes.size(); ++node) {
@@ -201,12 +199,9 @@ private:
     for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
       if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))))
         border.push_back(v);
-    ascents.follow(
-        0,
-        border.size(),
-        typename Paths::Marks(),
-        [&](std::size_t i) { return border[i]; },
-        [&](std::size_t, std::uint32_t end) { touches_border[m_nodes.number_of_end(end)] = true; });
+    ascents.follow(border.size(), [&](std::size_t i) { return border[i]; });
+    for (const vertex_descriptor v : border)
+      touches_border[m_nodes.number_of_end(ascents.end_from(v))] = true;
     std::vector<std::uint32_t> result(m_nodes.size(), 0);
     for (std::uint32_t node = static_cast<std::uint32_t>(m_nodes.size()); node-- > 0;) {
       const std::uint32_t parent = m_superlevel_forest.parent(node);

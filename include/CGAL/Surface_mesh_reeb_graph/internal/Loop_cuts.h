@@ -12,10 +12,10 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Critical_nodes.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Level_set_walk.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Lockstep_walks.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Unfolded_saddle.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_star.h>
@@ -50,35 +50,37 @@ class Loop_cuts
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Walk = Level_set_walk<TriangleMesh>;
-  using Marks = Cut_marks<TriangleMesh>;
-  using Mark = typename Marks::Mark;
+  using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Cut = typename Paths::Cut;
 
 public:
   Loop_cuts(const TriangleMesh& tmesh,
             const VertexOrder& order,
-            VertexIndexMap vertex_index_map,
-            std::size_t index_bound,
             const Nodes& nodes,
+            const Paths& ascents,
             bool has_border,
             std::size_t budget)
     : m_tmesh(tmesh)
     , m_order(order)
-    , m_vertex_index_map(vertex_index_map)
-    , m_index_bound(index_bound)
     , m_nodes(nodes)
+    , m_ascents(ascents)
     , m_has_border(has_border)
     , m_budget(static_cast<std::int64_t>(
           (std::min)(budget, std::size_t((std::numeric_limits<std::int64_t>::max)() / 2))))
     , m_unfolded(tmesh, order)
   {}
 
-  // Makes the forest of sublevel sets, with the leaves of the cuts, and the marks. `may_have_loops` holds the nodes
-  // below which the level set must be looked at, in increasing order. Returns false if that takes more steps
-  // than the budget allows.
-  bool run(const std::vector<std::uint32_t>& may_have_loops, Merge_forest& forest)
+  // Walks along the level set below the nodes `may_have_loops`, which are in increasing order, to find its components.
+  // Returns false if that takes more steps than the budget allows.
+  bool find_components(const std::vector<std::uint32_t>& may_have_loops)
   {
-    if (!walk_below(may_have_loops))
-      return false;
+    return walk_below(may_have_loops);
+  }
+
+  // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the paths. The components
+  // must be known. Returns false if that takes more steps than the budget allows.
+  bool cut(const std::vector<std::uint32_t>& may_have_loops, Merge_forest& forest)
+  {
     forest.clear(m_nodes.size());
     m_components = Number_sets(m_nodes.size());
     sequence.reserve(m_nodes.size());
@@ -95,17 +97,16 @@ public:
         attach(m_components.root(m_nodes.lower_end[w]), node, forest);
       sequence.push_back(node);
     }
-    if (!saddles.empty())
-      mark_cuts();
+    cut_paths();
     return true;
   }
 
   bool is_leaf(std::uint32_t node) const { return node >= m_nodes.size(); }
   std::uint32_t saddle_of_leaf(std::uint32_t leaf) const { return saddles[leaf - m_nodes.size()]; }
 
-  Marks marks;
   std::vector<std::uint32_t> sequence; // of all nodes, the leaves included
   std::vector<std::uint32_t> saddles;  // of the leaves, whose numbers follow those of the nodes
+  std::vector<Cut> cuts;               // of upward paths
 
 private:
   // What the walks below a node have found: the component of every lower wedge, named after one of its wedges,
@@ -256,7 +257,7 @@ private:
       const std::uint32_t leaf = leaf_of_component[walked.component_of_wedge[w++]];
       if (leaf == no_node)
         continue;
-      add_wedge_mark(m_star, wedge, leaf);
+      cut_wedge(m_star, wedge, leaf);
       m_cut_walks.push_back({first_walk(m_star, wedge), leaf});
       if (m_has_border) // the component may end there in both directions
         m_cut_walks.push_back({last_walk(m_star, wedge), leaf});
@@ -278,7 +279,7 @@ private:
     const std::uint32_t leaf = add_leaf(node, m_nodes.lower_end[lower + 1], forest);
     const Star& star = m_unfolded.star();
     for (const std::size_t wedge : m_unfolded.traced_wedges())
-      add_wedge_mark(star, star.wedges[wedge], leaf);
+      cut_wedge(star, star.wedges[wedge], leaf);
     for (const std::size_t wedge : m_unfolded.traced_first_ends())
       m_cut_walks.push_back({first_walk(star, star.wedges[wedge]), leaf});
     for (const std::size_t wedge : m_unfolded.traced_last_ends())
@@ -286,22 +287,39 @@ private:
     return true;
   }
 
-  // ---- the marks
+  // ---- the cuts of the paths
 
-  Mark mark(halfedge_descriptor h, std::uint32_t leaf) const
+  // Cuts what goes up through an edge that a cut crosses; `h` points to its lower end. Few edges are on a path.
+  void cut_edge(halfedge_descriptor h, std::uint32_t leaf, std::vector<Cut>& result) const
   {
-    return {static_cast<std::uint32_t>(get(m_vertex_index_map, target(h, m_tmesh))), leaf, h};
+    const vertex_descriptor v = target(h, m_tmesh);
+    const std::uint32_t path = m_ascents.path_through(v);
+    if (path != Paths::no_path) {
+      if (m_ascents.goes_through(h))
+        result.push_back({path, leaf, v});
+      return;
+    }
+    const std::uint32_t node_at_v = m_ascents.node_at(v);
+    if (node_at_v == no_node)
+      return;
+    // the first edges of wedges
+    for (std::uint32_t node = m_nodes.number_of_end(node_at_v);
+         node < m_nodes.size() && m_nodes.vertex[node] == v;
+         ++node)
+      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
+        if (m_nodes.upper_halfedge[w] == h)
+          result.push_back({m_nodes.upper_path[w], leaf, v});
   }
 
-  void add_wedge_mark(const Star& star, const typename Star::Wedge& wedge, std::uint32_t leaf)
+  void cut_wedge(const Star& star, const typename Star::Wedge& wedge, std::uint32_t leaf)
   {
     for (std::size_t i = wedge.begin; i < wedge.end; ++i) {
       const halfedge_descriptor h = star.halfedges[i];
-      m_marks.push_back(mark(wedge.is_upper ? h : opposite(h, m_tmesh), leaf));
+      cut_edge(wedge.is_upper ? h : opposite(h, m_tmesh), leaf, cuts);
     }
   }
 
-  void mark_cuts()
+  void cut_paths()
   {
     std::mutex mutex;
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
@@ -312,7 +330,7 @@ private:
         std::uint32_t leaf;
       };
       std::vector<Task> tasks((std::min)(end - begin, number_of_tasks_in_turn));
-      std::vector<Mark> found;
+      std::vector<Cut> found;
       in_turn(
           tasks,
           [&](Task& task) {
@@ -330,13 +348,12 @@ private:
             const vertex_descriptor v = task.walk.step(m_tmesh, is_below(task.vertex));
             // in the reversed order of these walks, forward is down
             const halfedge_descriptor h = task.walk.halfedge();
-            found.push_back(mark(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf));
+            cut_edge(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf, found);
             return v != task.vertex;
           });
       const std::lock_guard<std::mutex> lock(mutex);
-      m_marks.insert(m_marks.end(), found.begin(), found.end());
+      cuts.insert(cuts.end(), found.begin(), found.end());
     });
-    marks = Marks(std::move(m_marks), m_index_bound, ConcurrencyTag());
   }
 
   auto is_below(vertex_descriptor v) const
@@ -363,9 +380,8 @@ private:
 
   const TriangleMesh& m_tmesh;
   const VertexOrder& m_order;
-  VertexIndexMap m_vertex_index_map;
-  const std::size_t m_index_bound;
   const Nodes& m_nodes;
+  const Paths& m_ascents;
   const bool m_has_border;
   std::int64_t m_budget;
   Number_sets m_components; // of the sublevel set, with the highest node as the root
@@ -374,7 +390,6 @@ private:
   std::uint32_t m_first = 0; // of the nodes of its vertex
   Star m_star;
   std::vector<Cut_walk> m_cut_walks;
-  std::vector<Mark> m_marks;
 };
 
 } // namespace internal

@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MONOTONE_PATHS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Cut_marks.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/in_turn.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 
@@ -21,16 +21,18 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Monotone paths along the edges of the mesh, down or up to the first vertex that is given as an end, or up to a
-// cut. Their ends are remembered at all vertices that they pass, so all paths together take a step per vertex
-// or little more. They may be followed by several threads at once: the end of a path does not depend on who finds it.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+// Monotone paths along the edges of the mesh, down or up to the first vertex that is given as a node, or up to a cut.
+// Every vertex that a path passes is marked with it, and paths that come later end in it there, so all paths
+// together take a step per vertex or little more. Cuts may be made when the paths are known. Paths
+// may be followed by several threads at once: where a path leads does not depend on who passes first.
+template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Monotone_paths
 {
   using Graph_traits = boost::graph_traits<TriangleMesh>;
@@ -38,7 +40,13 @@ class Monotone_paths
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  using Marks = Cut_marks<TriangleMesh>;
+  // The place of a cut on a path: above the vertex `below`, where ways up end in the node `leaf` then.
+  struct Cut
+  {
+    std::uint32_t path;
+    std::uint32_t leaf; // higher cuts have larger numbers
+    vertex_descriptor below;
+  };
 
   Monotone_paths(Side side,
                  const TriangleMesh& tmesh,
@@ -49,126 +57,256 @@ public:
     , m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
-    , m_end(index_bound)
+    , m_way(index_bound)
   {}
 
-  // Paths that reach `v` end there, at the node `node`.
-  void set_end(vertex_descriptor v, std::uint32_t node) { remember(index(v), node); }
-
-  void forget()
+  // Paths that reach `v` end there, at the node `node`. To be called for all nodes, numbered from 0 on, before there
+  // is any path.
+  void set_node(vertex_descriptor v, std::uint32_t node)
   {
-    for (std::atomic<std::uint32_t>& end : m_end)
-      end.store(0, std::memory_order_relaxed);
+    m_number_of_nodes = (std::max)(m_number_of_nodes, node + 1);
+    m_way[index(v)].store(node + 1, std::memory_order_relaxed);
   }
 
-  // Follows the paths from the vertices `start(i)` for begin <= i < end and calls `set_end(i, node)` with their
-  // ends. Upward paths end where they cross a cut.
-  template <class Start, class Set_end>
-  void follow(std::size_t begin,
-              std::size_t end,
-              const Marks& marks,
-              const Start& start,
-              const Set_end& set_end)
+  // Follows the paths from the vertices `start(i)` for `i < number`, and returns the number of the first of them; those
+  // of the others come next.
+  template <class Start>
+  std::uint32_t follow(std::size_t number, const Start& start)
   {
-    std::vector<Path> paths((std::min)(end - begin, number_of_tasks_in_turn));
-    const auto begin_path = [&](Path& path) {
-      for (; begin < end; ++begin) {
-        const vertex_descriptor v = start(begin);
-        const std::uint32_t node = known_end(index(v));
-        if (node == no_node) {
-          path.number = begin++;
-          path.passed.clear();
-          pass(path, v);
-          return true;
-        }
-        set_end(begin, node);
-      }
-      return false;
-    };
-    in_turn(
-        paths,
-        begin_path,
-        [&](Path& path) {
-          const std::uint32_t node = advance(path, marks);
-          if (node == no_node)
-            return true;
-          for (const std::size_t i : path.passed)
-            remember(i, node);
-          set_end(path.number, node);
-          return false;
-        },
-        [&](Path& path) {
-          path.neighbor = source(path.edge, m_tmesh);
-          path.next_edge = opposite(next(path.edge, m_tmesh), m_tmesh);
-        },
-        [&](Path& path) {
-          path.is_neighbor_on_side = m_side == BELOW ? m_order(path.neighbor, path.vertex)
-                                                     : m_order(path.vertex, path.neighbor);
-          path.end_of_neighbor = known_end(index(path.neighbor));
-        });
+    const std::size_t first = m_paths.size();
+    m_paths.resize(first + number);
+    for_each_range<ConcurrencyTag>(number, [&](std::size_t begin, std::size_t end) {
+      follow_range(first, begin, end, start);
+    });
+    m_tails.clear();
+    return static_cast<std::uint32_t>(first);
   }
+
+  // The node at which a path ends from its start on, and from a vertex on that a path has passed (or that is a node).
+  std::uint32_t end(std::uint32_t path)
+  {
+    const auto cut = first_cut(path);
+    return is_on(cut, path) ? cut->leaf : tail(path);
+  }
+  std::uint32_t end_from(vertex_descriptor v) { return end_from(way(index(v)), v); }
+
+  // The node at a vertex, or the path that has passed it, if there is any.
+  std::uint32_t node_at(vertex_descriptor v) const
+  {
+    const std::uint32_t w = way(index(v));
+    return is_node(w) ? w : no_node;
+  }
+  std::uint32_t path_through(vertex_descriptor v) const
+  {
+    const std::uint32_t w = way(index(v));
+    return w == no_way || is_node(w) ? no_path : w - m_number_of_nodes;
+  }
+
+  // Whether the path that has passed the end of `h` goes on through `h`.
+  bool goes_through(halfedge_descriptor h) const
+  {
+    const vertex_descriptor v = target(h, m_tmesh);
+    halfedge_descriptor g = halfedge(v, m_tmesh);
+    while (g != h && !is_on_side(source(g, m_tmesh), v))
+      g = opposite(next(g, m_tmesh), m_tmesh);
+    return g == h && is_on_side(source(h, m_tmesh), v);
+  }
+
+  // Cuts the paths, which lead up.
+  void set_cuts(std::vector<Cut>&& cuts)
+  {
+    m_cuts = std::move(cuts);
+    std::sort(m_cuts.begin(), m_cuts.end(), [this](const Cut& a, const Cut& b) {
+      if (a.path != b.path)
+        return a.path < b.path;
+      return a.below != b.below ? m_order(a.below, b.below) : a.leaf < b.leaf;
+    });
+    m_tails.clear();
+  }
+
+  // Finds all ends, so that those that are asked for afterwards are only looked up: by several threads, say.
+  void find_ends()
+  {
+    for (std::uint32_t path = 0; path < m_paths.size(); ++path)
+      tail(path);
+  }
+
+  static constexpr std::uint32_t no_path = static_cast<std::uint32_t>(-1);
 
 private:
+  // What is behind a vertex: a node, or a path, whose numbers follow those of the nodes.
+  static constexpr std::uint32_t no_way = static_cast<std::uint32_t>(-1);
+
+  // What a path leads to in the end, and the vertex at which it gets there.
   struct Path
   {
-    std::size_t number;
+    std::uint32_t way;
+    vertex_descriptor join;
+  };
+
+  // A path while it is followed.
+  struct Walker
+  {
+    std::size_t path;
     vertex_descriptor vertex;
     halfedge_descriptor edge; // the next one to be looked at, points to the vertex
     // what is read before the look
     vertex_descriptor neighbor;
     halfedge_descriptor next_edge;
     bool is_neighbor_on_side;
-    std::uint32_t end_of_neighbor;
-    std::vector<std::size_t> passed;
+    std::uint32_t way_of_neighbor;
   };
+
+  using Cut_iterator = typename std::vector<Cut>::const_iterator;
 
   std::size_t index(vertex_descriptor v) const
   {
     return static_cast<std::size_t>(get(m_vertex_index_map, v));
   }
 
-  // `no_node` if it is not known.
-  std::uint32_t known_end(std::size_t i) const
+  bool is_on_side(vertex_descriptor u, vertex_descriptor v) const
   {
-    return m_end[i].load(std::memory_order_relaxed) - 1;
+    return m_side == BELOW ? m_order(u, v) : m_order(v, u);
   }
 
-  void remember(std::size_t i, std::uint32_t node)
-  {
-    m_end[i].store(node + 1, std::memory_order_relaxed);
-  }
+  bool is_node(std::uint32_t way) const { return way < m_number_of_nodes; }
 
-  void pass(Path& path, vertex_descriptor v) const
+  std::uint32_t way(std::size_t i) const { return m_way[i].load(std::memory_order_relaxed) - 1; }
+
+  // ---- following
+
+  template <class Start>
+  void follow_range(std::size_t first, std::size_t begin, std::size_t end, const Start& start)
   {
-    path.vertex = v;
-    path.edge = halfedge(v, m_tmesh);
-    path.passed.push_back(index(v));
+    std::vector<Walker> walkers((std::min)(end - begin, number_of_tasks_in_turn));
+    in_turn(
+        walkers,
+        [&](Walker& walker) {
+          while (begin < end) {
+            const std::size_t i = begin++;
+            walker.path = first + i;
+            if (pass(walker, start(i), way(index(start(i)))))
+              return true;
+          }
+          return false;
+        },
+        [&](Walker& walker) { return advance(walker); },
+        [&](Walker& walker) {
+          walker.neighbor = source(walker.edge, m_tmesh);
+          walker.next_edge = opposite(next(walker.edge, m_tmesh), m_tmesh);
+        },
+        [&](Walker& walker) {
+          walker.is_neighbor_on_side = is_on_side(walker.neighbor, walker.vertex);
+          walker.way_of_neighbor = way(index(walker.neighbor));
+        });
   }
 
   // Looks at one edge. Any one to a vertex on the side will do: all of them lead to the same component of the
-  // sublevel (or superlevel) sets that hold the vertex too. Returns the end of the path if it is known then.
-  std::uint32_t advance(Path& path, const Marks& marks) const
+  // sublevel (or superlevel) sets that hold the vertex too. Returns false if the path is over.
+  bool advance(Walker& walker)
   {
-    if (path.is_neighbor_on_side) {
-      std::uint32_t node = m_side == BELOW ? no_node : marks.leaf(path.passed.back(), path.edge);
-      if (node == no_node)
-        node = path.end_of_neighbor;
-      if (node == no_node)
-        pass(path, path.neighbor);
-      return node;
-    }
-    path.edge = path.next_edge;
+    if (walker.is_neighbor_on_side)
+      return pass(walker, walker.neighbor, walker.way_of_neighbor);
+    walker.edge = walker.next_edge;
     // the pass over the faces has seen an edge on this side, which is in another fan of faces
-    if (path.edge == halfedge(path.vertex, m_tmesh))
+    if (walker.edge == halfedge(walker.vertex, m_tmesh))
       throw_several_fans();
-    return no_node;
+    return true;
+  }
+
+  // Marks the vertex `v`, unless `way_of_v` or another path is there already: then the path is over.
+  bool pass(Walker& walker, vertex_descriptor v, std::uint32_t way_of_v)
+  {
+    if (way_of_v == no_way)
+      way_of_v = mark(index(v), static_cast<std::uint32_t>(m_number_of_nodes + walker.path));
+    if (way_of_v != no_way) {
+      m_paths[walker.path] = {way_of_v, v};
+      return false;
+    }
+    walker.vertex = v;
+    walker.edge = halfedge(v, m_tmesh);
+    return true;
+  }
+
+  // Returns the mark of somebody else, if there is one.
+  std::uint32_t mark(std::size_t i, std::uint32_t own)
+  {
+    std::uint32_t other = 0;
+    if constexpr (is_parallel<ConcurrencyTag>) {
+      m_way[i].compare_exchange_strong(other, own + 1, std::memory_order_relaxed);
+    } else { // much faster
+      other = m_way[i].load(std::memory_order_relaxed);
+      if (other == 0)
+        m_way[i].store(own + 1, std::memory_order_relaxed);
+    }
+    return other - 1;
+  }
+
+  // ---- ends
+
+  bool is_on(Cut_iterator cut, std::uint32_t path) const
+  {
+    return cut != m_cuts.end() && cut->path == path;
+  }
+
+  Cut_iterator first_cut(std::uint32_t path) const
+  {
+    return std::partition_point(
+        m_cuts.begin(), m_cuts.end(), [&](const Cut& cut) { return cut.path < path; });
+  }
+
+  // The lowest cut on a path that is not below the vertex `v` of the path.
+  Cut_iterator first_cut_from(std::uint32_t path, vertex_descriptor v) const
+  {
+    return std::partition_point(m_cuts.begin(), m_cuts.end(), [&](const Cut& cut) {
+      return cut.path < path || (cut.path == path && m_order(cut.below, v));
+    });
+  }
+
+  std::uint32_t end_from(std::uint32_t way, vertex_descriptor v)
+  {
+    if (is_node(way))
+      return way;
+    const std::uint32_t path = way - m_number_of_nodes;
+    const auto cut = first_cut_from(path, v);
+    return is_on(cut, path) ? cut->leaf : tail(path);
+  }
+
+  // The end of a path without its own cuts.
+  std::uint32_t tail(std::uint32_t path)
+  {
+    if (m_tails.empty())
+      m_tails.resize(m_paths.size(), no_node);
+    if (m_tails[path] != no_node)
+      return m_tails[path];
+    // all paths on the way to one whose tail is known, or that ends in a node or a cut
+    m_waiting.clear();
+    std::uint32_t end = no_node;
+    while (end == no_node) {
+      m_waiting.push_back(path);
+      const Path& last = m_paths[path];
+      if (is_node(last.way)) {
+        end = last.way;
+      } else {
+        path = last.way - m_number_of_nodes;
+        const auto cut = first_cut_from(path, last.join);
+        end = is_on(cut, path) ? cut->leaf : m_tails[path];
+      }
+    }
+    for (const std::uint32_t p : m_waiting)
+      m_tails[p] = end;
+    return end;
   }
 
   const Side m_side;
   const TriangleMesh& m_tmesh;
   const VertexOrder& m_order;
   VertexIndexMap m_vertex_index_map;
-  std::vector<std::atomic<std::uint32_t>> m_end; // plus 1, by vertex index; 0 if it is not known
+  std::uint32_t m_number_of_nodes = 0;
+  std::vector<std::atomic<std::uint32_t>> m_way; // plus 1, by vertex index; 0 if there is none
+  std::vector<Path> m_paths;
+  std::vector<Cut> m_cuts; // by path, from below
+  std::vector<std::uint32_t> m_tails, m_waiting;
 };
 
 } // namespace internal

@@ -35,7 +35,7 @@ class Vertex_places
 {
   using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Paths = typename Nodes::Paths;
+  using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
 public:
@@ -53,17 +53,26 @@ public:
     , m_cuts(cuts)
   {}
 
-  // `sequence` holds the nodes and leaves in increasing order.
+  // Follows the paths from all vertices. This must be done before the upward ones are cut.
+  void follow_paths(Paths& descents, Paths& ascents)
+  {
+    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
+      if (!has_no_edge(v, m_tmesh))
+        m_vertices.push_back(v);
+    const auto start = [&](std::size_t i) { return m_vertices[i]; };
+    descents.follow(m_vertices.size(), start);
+    ascents.follow(m_vertices.size(), start);
+  }
+
+  // To be called then. `sequence` holds the nodes and leaves in increasing order.
   void find(const std::vector<std::uint32_t>& sequence,
             const Merge_forest& sublevel_forest,
             const Merge_forest& superlevel_forest,
             Paths& descents,
             Paths& ascents)
   {
-    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
-      if (!has_no_edge(v, m_tmesh))
-        m_vertices.push_back(v);
-    follow_paths(descents, ascents);
+    find_ends(descents, node_below);
+    find_ends(ascents, node_above);
     count_nodes_below(sequence);
     // in the order of the numbers, so that the ways along the parents can be shortened for all that follow
     const std::vector<std::uint32_t> sorted = vertices_by_number(sequence.size());
@@ -102,20 +111,14 @@ private:
     return m_nodes.vertex[m_cuts.is_leaf(node) ? m_cuts.saddle_of_leaf(node) : node];
   }
 
-  // A monotone path leads from every vertex to a node in either component.
-  void follow_paths(Paths& descents, Paths& ascents)
+  // A monotone path leads from every vertex to a node in its component.
+  void find_ends(Paths& paths, std::vector<std::uint32_t>& ends) const
   {
-    node_below.assign(m_index_bound, no_node);
-    node_above.assign(m_index_bound, no_node);
+    ends.assign(m_index_bound, no_node);
+    paths.find_ends();
     for_each_range<ConcurrencyTag>(m_vertices.size(), [&](std::size_t begin, std::size_t end) {
-      const auto start = [&](std::size_t i) { return m_vertices[i]; };
-      descents.follow(
-          begin, end, typename Paths::Marks(), start, [&](std::size_t i, std::uint32_t node) {
-            node_below[index(i)] = m_nodes.number_of_end(node);
-          });
-      ascents.follow(begin, end, m_cuts.marks, start, [&](std::size_t i, std::uint32_t node) {
-        node_above[index(i)] = m_nodes.number_of_end(node);
-      });
+      for (std::size_t i = begin; i < end; ++i)
+        ends[index(i)] = m_nodes.number_of_end(paths.end_from(m_vertices[i]));
     });
   }
 
