@@ -27,6 +27,8 @@
 #include <CGAL/Surface_mesh_reeb_graph/Spectra_eigensolver.h>
 
 #include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <Eigen/SparseCholesky>
 
@@ -41,6 +43,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -61,7 +64,8 @@ namespace SMRG = CGAL::Surface_mesh_reeb_graph;
 namespace {
 
 constexpr const char* usage =
-    "Options of this program, beside those that --help lists:\n"
+    "Options of this program, beside those that --help lists, and files of triangle meshes to be "
+    "measured, too:\n"
     "  --largest=N   meshes of up to about N vertices (160000; 1000000 shows all)\n"
     "  --table=FILE  writes the results as tables in Markdown\n";
 
@@ -69,6 +73,7 @@ struct Options
 {
   double largest = 160000;
   std::string table;
+  std::vector<std::string> files;
 };
 
 constexpr std::array<std::size_t, 5> sizes = {10000, 40000, 160000, 640000, 1000000};
@@ -78,16 +83,26 @@ Results results;
 
 // ---- input ----------------------------------------------------------------------------------------
 
-// Benchmarks of the same mesh follow each other: one is kept.
-const Mesh& mesh_for(const std::size_t size)
+Mesh read(const std::string& file)
 {
-  static std::size_t last_size = 0;
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(file, mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error("cannot read a triangle mesh from " + file);
+  return mesh;
+}
+
+// Benchmarks of the same mesh follow each other: one is kept.
+const Mesh& mesh_for(const Mesh_key& key)
+{
+  static Mesh_key last_key;
   static Mesh mesh;
-  if (size != last_size) {
+  if (key != last_key) {
     mesh = Mesh(); // before there is another one
     // the sphere that it is made from has 4 m^2 + 2 vertices
-    mesh = irregular_surface(std::size_t(std::lround(std::sqrt(double(size) / 4))));
-    last_size = size;
+    mesh = key.file.empty()
+               ? irregular_surface(std::size_t(std::lround(std::sqrt(double(key.size) / 4))))
+               : read(key.file);
+    last_key = key;
   }
   return mesh;
 }
@@ -112,10 +127,10 @@ double assembly_seconds(const Mesh& mesh)
 
 // All solvers must find what the first one found.
 template <class Basis>
-bool agrees(const std::size_t size, const Basis& basis)
+bool agrees(const Mesh_key& key, const Basis& basis)
 {
-  static std::map<std::size_t, std::vector<double>> eigenvalues;
-  std::vector<double>& expected = eigenvalues[size];
+  static std::map<Mesh_key, std::vector<double>> eigenvalues;
+  std::vector<double>& expected = eigenvalues[key];
   const bool is_first = expected.empty();
   if (!is_first && expected.size() != basis.number_of_eigenpairs(0))
     return false;
@@ -130,12 +145,12 @@ bool agrees(const std::size_t size, const Basis& basis)
 }
 
 template <Solver solver, class Eigensolver>
-void measure(benchmark::State& state, const std::size_t size)
+void measure(benchmark::State& state, const Mesh_key& key)
 {
   using Basis = SMRG::Laplace_beltrami_eigenbasis<Mesh, Eigensolver>;
 
-  const Mesh& mesh = mesh_for(size);
-  Row& row = results[size];
+  const Mesh& mesh = mesh_for(key);
+  Row& row = results[key];
   row.vertices = mesh.number_of_vertices();
   Result& least = row.results[solver];
   for (auto _ : state) {
@@ -156,7 +171,7 @@ void measure(benchmark::State& state, const std::size_t size)
     state.SetIterationTime(result.seconds);
     if (result.seconds < least.seconds)
       least = result;
-    if (!agrees(size, *basis))
+    if (!agrees(key, *basis))
       state.SkipWithError("the solvers find different eigenvalues");
   }
   state.counters["assembly"] = row.assembly_seconds;
@@ -171,30 +186,35 @@ void measure(benchmark::State& state, const std::size_t size)
 // ---- the program ----------------------------------------------------------------------------------
 
 template <Solver solver, class Eigensolver>
-void add(const std::size_t size)
+void add(const Mesh_key& key)
 {
-  const std::string name = "irregular/" + std::to_string(size) + '/' + solver_names[solver];
+  const std::string name = key.name() + '/' + std::to_string(key.size) + '/' + solver_names[solver];
   benchmark::RegisterBenchmark(
-      name.c_str(), [size](benchmark::State& state) { measure<solver, Eigensolver>(state, size); })
+      name.c_str(), [key](benchmark::State& state) { measure<solver, Eigensolver>(state, key); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);
 }
 
+void add_all_solvers(const Mesh_key& key)
+{
+  add<OURS, SMRG::Block_lanczos_eigensolver<Default_traits>>(key);
+  add<SPECTRA_LDLT, SMRG::Spectra_eigensolver<Ldlt_traits>>(key);
+#ifdef REEB_GRAPH_BENCHMARK_WITH_CHOLMOD
+  add<OURS_CHOLMOD, SMRG::Block_lanczos_eigensolver<Cholmod_traits>>(key);
+  add<SPECTRA_CHOLMOD, SMRG::Spectra_eigensolver<Cholmod_traits>>(key);
+#ifdef REEB_GRAPH_BENCHMARK_WITH_ARPACK
+  add<ARPACK_CHOLMOD, Arpack_eigensolver<Cholmod_traits>>(key);
+#endif
+#endif
+}
+
 void register_benchmarks(const Options& options)
 {
-  for (const std::size_t size : sizes) {
-    if (double(size) > options.largest)
-      continue;
-    add<OURS, SMRG::Block_lanczos_eigensolver<Default_traits>>(size);
-    add<SPECTRA_LDLT, SMRG::Spectra_eigensolver<Ldlt_traits>>(size);
-#ifdef REEB_GRAPH_BENCHMARK_WITH_CHOLMOD
-    add<OURS_CHOLMOD, SMRG::Block_lanczos_eigensolver<Cholmod_traits>>(size);
-    add<SPECTRA_CHOLMOD, SMRG::Spectra_eigensolver<Cholmod_traits>>(size);
-#ifdef REEB_GRAPH_BENCHMARK_WITH_ARPACK
-    add<ARPACK_CHOLMOD, Arpack_eigensolver<Cholmod_traits>>(size);
-#endif
-#endif
-  }
+  for (const std::string& file : options.files)
+    add_all_solvers({read(file).number_of_vertices(), file});
+  for (const std::size_t size : sizes)
+    if (double(size) <= options.largest)
+      add_all_solvers({size, std::string()});
 }
 
 // Reads the options that are left when Google Benchmark has taken its own.
@@ -207,6 +227,8 @@ bool read_options(int argc, char* argv[], Options& options)
       options.largest = std::atof(argument.c_str() + largest.size());
     } else if (argument.compare(0, table.size(), table) == 0) {
       options.table = argument.substr(table.size());
+    } else if (argument.compare(0, 1, "-") != 0) {
+      options.files.push_back(argument);
     } else {
       std::cerr << "unknown option " << argument << '\n' << usage;
       return false;
@@ -236,8 +258,8 @@ int main(int argc, char* argv[])
   benchmark::Initialize(&argc, argv);
   if (!read_options(argc, argv, options))
     return EXIT_FAILURE;
-  register_benchmarks(options);
   try {
+    register_benchmarks(options);
     benchmark::RunSpecifiedBenchmarks();
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -17,6 +17,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 namespace Reeb_graph_benchmark {
 
@@ -52,6 +53,27 @@ struct Result
   }
 };
 
+// A surface that is made for the purpose, with about so many vertices, or a file.
+struct Mesh_key
+{
+  std::size_t size = 0; // the number of vertices
+  std::string file;
+
+  std::string name() const
+  {
+    if (file.empty())
+      return "irregular";
+    const std::size_t begin = file.find_last_of('/') + 1; // 0 if there is none
+    return file.substr(begin, file.find_last_of('.') - begin);
+  }
+
+  friend bool operator<(const Mesh_key& a, const Mesh_key& b)
+  {
+    return std::tie(a.size, a.file) < std::tie(b.size, b.file);
+  }
+  friend bool operator!=(const Mesh_key& a, const Mesh_key& b) { return a < b || b < a; }
+};
+
 // Everything about one mesh.
 struct Row
 {
@@ -69,8 +91,7 @@ struct Row
   }
 };
 
-// By the number of vertices asked for.
-using Results = std::map<std::size_t, Row>;
+using Results = std::map<Mesh_key, Row>;
 
 inline std::string in_figures(const double number, const int decimals)
 {
@@ -81,10 +102,11 @@ inline std::string in_figures(const double number, const int decimals)
 
 inline void write_times(std::ostream& out, const Results& results, std::size_t number_of_eigenpairs)
 {
-  out << "| vertices | solver | assembly [s] | factorization [s] | right-hand sides | solving [s] "
+  out << "| mesh | vertices | solver | assembly [s] | factorization [s] | right-hand sides | "
+         "solving [s] "
          "| rest [s] | total [s] | x ours | x floor | residual | kB per vertex |\n"
-         "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
-  for (const auto& [size, row] : results) {
+         "|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const auto& [key, row] : results) {
     for (std::size_t solver = 0; solver < row.results.size(); ++solver) {
       const Result& result = row.results[solver];
       if (!result.is_measured())
@@ -93,7 +115,7 @@ inline void write_times(std::ostream& out, const Results& results, std::size_t n
                           result.solution_seconds;
       std::ostringstream residual;
       residual << std::scientific << std::setprecision(0) << result.residual;
-      out << "| " << row.vertices << " | " << solver_titles[solver] << " | "
+      out << "| " << key.name() << " | " << row.vertices << " | " << solver_titles[solver] << " | "
           << in_figures(row.assembly_seconds, 2) << " | "
           << in_figures(result.factorization_seconds, 2) << " | " << result.right_hand_sides
           << " | " << in_figures(result.solution_seconds, 2) << " | " << in_figures(rest, 2)
@@ -116,13 +138,13 @@ inline void write_targets(std::ostream& out, const Results& results)
   };
   const auto least_ratio = [&results](const Solver solver, const std::size_t smallest_size) {
     double least = not_measured;
-    for (const auto& [size, row] : results)
-      if (size >= smallest_size && row.has_ratio(solver))
+    for (const auto& [key, row] : results)
+      if (key.size >= smallest_size && row.has_ratio(solver))
         least = (std::min)(least, row.ratio_to_ours(solver));
     return least;
   };
   double bytes = 0;
-  for (const auto& [size, row] : results)
+  for (const auto& [key, row] : results)
     bytes = (std::max)(bytes, row.results[OURS].bytes / double(row.vertices));
 
   out << "| default, the worst | target | measured |\n|---|--:|--:|\n";

@@ -51,8 +51,8 @@ orthogonal to those found is searched from new random vectors. The chance to mis
 1e-10.
 
 **Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any
-size. Beside the factor and the result it holds about two and a half vectors for every pair
-wanted, 8 bytes per vertex each.
+size. Beside the factor and the result it holds about three vectors for every pair wanted, 8 bytes
+per vertex each.
 
 \tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
         `CGAL::Eigen_solver_traits` with `Supernodal_cholesky`

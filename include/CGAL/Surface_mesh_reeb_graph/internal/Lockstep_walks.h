@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,6 +52,7 @@ public:
   {
     m_wedges.clear();
     m_sets = Number_sets();
+    crossed.clear();
   }
 
   // Adds a wedge by its first and last edge, as halfedges that point to the vertex.
@@ -123,6 +125,10 @@ public:
   // Whether a component is the one that has not been walked to its end.
   bool is_longest(std::uint32_t component) const { return m_wedges[component].open_ends > 0; }
 
+  // The edges that were crossed, as halfedges that point upwards, with a wedge of their component. There may be some
+  // twice; those at the vertex itself are not among them.
+  std::vector<std::pair<std::uint32_t, halfedge_descriptor>> crossed;
+
 private:
   struct Wedge
   {
@@ -187,8 +193,11 @@ private:
       return false;
     }
     walk.cross(turn.crossing, turn.is_vertex_above, m_tmesh);
-    if (turn.crossing.vertex != v)
+    if (turn.crossing.vertex != v) {
+      crossed.emplace_back(
+          turn.wedge, walk.is_forward() ? walk.halfedge() : opposite(walk.halfedge(), m_tmesh));
       return true;
+    }
     const std::uint32_t other = wedge_of_arrival(walk);
     (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known) = true;
     (walk.is_forward() ? m_wedges[other].last_is_known : m_wedges[other].first_is_known) = true;

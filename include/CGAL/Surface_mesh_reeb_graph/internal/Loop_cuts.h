@@ -115,9 +115,16 @@ private:
   {
     std::vector<std::uint32_t> component_of_wedge;
     std::uint32_t longest = no_node;
+    std::size_t crossed_begin, crossed_end; // the edges that the others cross
   };
 
-  // A cut begins as a walk along a component. It crosses the edges of wedges, too.
+  struct Crossed_edge
+  {
+    std::uint32_t component;
+    halfedge_descriptor halfedge; // points to the lower end
+  };
+
+  // A walk along a component that is cut at an unfolded saddle.
   struct Cut_walk
   {
     Walk walk;
@@ -200,6 +207,14 @@ private:
       if (walking.walks.is_longest(component))
         walked.longest = component;
     }
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    walked.crossed_begin = m_crossed.size();
+    for (const auto& [wedge, h] : walking.walks.crossed) {
+      const std::uint32_t component = walked.component_of_wedge[wedge];
+      if (component != walked.longest) // up is down in these walks
+        m_crossed.push_back({component, h});
+    }
+    walked.crossed_end = m_crossed.size();
   }
 
   // ---- the cuts
@@ -258,9 +273,11 @@ private:
       if (leaf == no_node)
         continue;
       cut_wedge(m_star, wedge, leaf);
-      m_cut_walks.push_back({first_walk(m_star, wedge), leaf});
-      if (m_has_border) // the component may end there in both directions
-        m_cut_walks.push_back({last_walk(m_star, wedge), leaf});
+    }
+    for (std::size_t i = walked.crossed_begin; i < walked.crossed_end; ++i) {
+      const std::uint32_t leaf = leaf_of_component[m_crossed[i].component];
+      if (leaf != no_node)
+        cut_edge(m_crossed[i].halfedge, leaf, cuts);
     }
   }
 
@@ -321,7 +338,6 @@ private:
 
   void cut_paths()
   {
-    std::mutex mutex;
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
       struct Task
       {
@@ -351,7 +367,7 @@ private:
             cut_edge(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf, found);
             return v != task.vertex;
           });
-      const std::lock_guard<std::mutex> lock(mutex);
+      const std::lock_guard<std::mutex> lock(m_mutex);
       cuts.insert(cuts.end(), found.begin(), found.end());
     });
   }
@@ -386,6 +402,8 @@ private:
   std::int64_t m_budget;
   Number_sets m_components; // of the sublevel set, with the highest node as the root
   std::vector<Walked> m_walked;
+  std::vector<Crossed_edge> m_crossed;
+  std::mutex m_mutex; // of m_crossed and cuts
   Unfolded_saddle<TriangleMesh, VertexOrder> m_unfolded;
   std::uint32_t m_first = 0; // of the nodes of its vertex
   Star m_star;
