@@ -158,6 +158,7 @@ void measure(benchmark::State& state, const Mesh_key& key)
 
     Result result;
     direct_solver_times = Direct_solver_times();
+    warm_up_memory(3000 * row.vertices); // as much as anybody uses
     const Resident_memory_meter memory;
     std::optional<Basis> basis;
     result.seconds = processor_seconds_for([&]() {

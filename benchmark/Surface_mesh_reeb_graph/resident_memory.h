@@ -9,12 +9,22 @@
 
 #include <cstddef>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <malloc.h>
 
 namespace Reeb_graph_benchmark {
+
+// Uses so many bytes and frees them again. Virtual machines take seconds per gigabyte for memory that is used for the
+// first time after a while, which would be charged to whoever comes first.
+inline void warm_up_memory(const std::size_t bytes)
+{
+  const std::unique_ptr<char[]> memory(new char[bytes]);
+  for (std::size_t i = 0; i < bytes; i += 4096)
+    static_cast<volatile char*>(memory.get())[i] = 1;
+}
 
 // The bytes of pages in use since its construction: at most, without those in use before.
 class Resident_memory_meter

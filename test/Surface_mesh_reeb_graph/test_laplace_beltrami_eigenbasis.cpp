@@ -1675,6 +1675,37 @@ BOOST_AUTO_TEST_CASE(missing_eigenvalues_are_found_with_any_seed)
       pencil, {17, 20, 21, 26, 45}, expected, options);
 }
 
+// Wherever it was stopped, the first step and the search for missing eigenvalues included.
+BOOST_AUTO_TEST_CASE(interrupted_solvers_go_on)
+{
+  const Pencil pencil = copies(pencil_of(potato(1)), 9);
+  constexpr Eigen::Index number = 26;
+  const Eigen::VectorXd expected = pencil.smallest_eigenvalues(number);
+  int calls = 0, last_call = 0;
+  SMRG::Eigensolver_options options;
+  options.callback = [&](double) { return calls++ != last_call; };
+  for (bool is_interrupted = true; is_interrupted; ++last_call) {
+    BOOST_TEST_CONTEXT("interrupted at call " << last_call)
+    {
+      calls = 0;
+      is_interrupted = false;
+      try {
+        SMRG::Block_lanczos_eigensolver<> solver(
+            pencil.stiffness, pencil.mass, pencil.shift, options);
+        try {
+          solver.smallest(number);
+        } catch (const SMRG::Reeb_graph_interrupted&) {
+          is_interrupted = true;
+          check_pairs(pencil, solver.smallest(number), expected);
+        }
+      } catch (const SMRG::Reeb_graph_interrupted&) {
+        is_interrupted = true; // by the constructor
+      }
+    }
+  }
+  BOOST_TEST(last_call > 20);
+}
+
 BOOST_AUTO_TEST_CASE(random_weights_agree_with_dense_matrices)
 {
   for (unsigned seed = 1; seed <= 20; ++seed) {

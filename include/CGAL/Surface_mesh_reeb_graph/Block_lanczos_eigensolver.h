@@ -105,6 +105,8 @@ public:
     if (m_operator.is_small_for(number))
       return m_operator.dense_eigenpairs(number);
     const bool have_converged = iterate(number);
+    if (m_lacks_room)
+      return m_operator.dense_eigenpairs(number);
     if (!have_converged)
       number = (std::min)(number, number_converged());
     return eigenpairs(number, have_converged);
@@ -125,10 +127,12 @@ private:
     // More vectors would save few solves only, and take memory. A few steps have room in any case.
     const Eigen::Index capacity = (std::max)(3 * number, number + 56) / width;
     m_progress = 0;
-    if (m_basis.size() == 0)
+    if (m_basis.size() == 0) {
       insert_random_block(0);
-    else if (has_converged(number) && is_complete(number))
+      m_number_of_random_vectors = width;
+    } else if (m_processed > 0 && has_converged(number) && is_complete(number)) {
       return true;
+    }
     // A look at the eigenpairs costs as much as a step on small meshes. So the next one is when
     // they will have converged, if the error goes on to decrease as it did since the last one.
     Eigen::Index steps = 0, last_look = 0,
@@ -282,7 +286,6 @@ private:
         w(i, j) = m_random.next();
     orthonormalize(w);
     insert(position, std::move(w));
-    m_number_of_random_vectors += width;
   }
 
   void insert(Eigen::Index position, Row_block&& w)
@@ -357,13 +360,13 @@ private:
   //
   // A Krylov space of b random vectors holds all vectors of an eigenspace of dimension up to b,
   // with probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can
-  // there be more of them. Where that is so, the space orthogonal to what has converged is searched:
-  // the largest eigenvalue of A restricted to it is that of a missing vector, if there is one. From
-  // another block of random vectors, and what was pending (it may hold a part of the missing vector),
-  // k steps make the component of the latter larger than all others by a Chebyshev polynomial of
-  // degree k, about `exp(k acosh(2 / r - 1)) / 2` if r is the ratio of the next eigenvalue to it. At
-  // the start the component of the best of eight random vectors of dimension n is less than
-  // `0.1 / sqrt(n)` with a probability of 1e-11.
+  // there be more of them. Where that is so, a space is searched that begins with another block of
+  // random vectors, and with what was pending: it may hold a part of a missing vector. If one is
+  // missing, the space has an eigenvalue more than were known that is as large. It would be seen as soon
+  // as k steps, a Chebyshev polynomial of degree k, have made its component larger than those of the
+  // next eigenvalues by about `exp(k acosh(2 / r - 1)) / 2`, if r is their ratio to it. At the start
+  // the component of the best of eight random vectors of dimension n is less than `0.1 / sqrt(n)`
+  // with a probability of 1e-11.
   bool is_complete(Eigen::Index number)
   {
     constexpr double coincidence = 1e-6;
@@ -378,28 +381,37 @@ private:
     }
     if (suspect == 0)
       return true;
+    const double least = (1 - coincidence) * suspect;
+    const Eigen::Index number_known = (m_ritz_values.head(number).array() >= least).count();
 
-    const double amplification = std::log(40 * std::sqrt(static_cast<double>(m_operator.rows())));
     const Eigen::Index kept = 2 * number / width + 1;
+    m_lacks_room = width * (kept + 2 * (number_of_pending_blocks() + 1)) > m_operator.rows();
+    if (m_lacks_room)
+      return true;
     keep_largest(kept);
     insert_random_block(m_processed);
+    const double amplification = std::log(40 * std::sqrt(static_cast<double>(m_operator.rows())));
     Eigen::Index begin = m_processed;
     double next = 0; // the largest eigenvalue of what is searched, as far as it is known
-    for (int degree = 1;; ++degree) {
+    for (int degree = 0;; ++degree) {
       const Eigen::Index pending = number_of_pending_blocks();
       for (Eigen::Index i = 0; i < pending; ++i)
         multiply_next(m_basis.size());
-      const bool is_missing = largest_eigenvalue_from(number) >= (1 - coincidence) * suspect;
-      next = (std::max)(next, largest_eigenvalue_from(width * begin));
-      const bool is_excluded = degree * std::acosh(2 * suspect / next - 1) >= amplification;
+      const Eigen::VectorXd eigenvalues = eigenvalues_from(0);
+      const bool is_missing = eigenvalues[eigenvalues.size() - 1 - number_known] >= least;
+      next = (std::min)((std::max)(next, eigenvalues_from(width * begin).maxCoeff()), least);
+      // the other eigenvalues hide a missing one from the space, if they are close
+      const double hiding = std::log((std::max)(1., next / (suspect - next))) / 2;
+      const bool is_excluded =
+          degree * std::acosh(2 * suspect / next - 1) >= amplification + hiding;
       const bool is_full =
           m_processed >= kept + 8 || width * (m_basis.size() + pending) > m_operator.rows();
       if (is_missing || is_excluded || is_full)
         compute_ritz_pairs();
-      if (is_missing)
-        return false;
-      if (is_excluded)
-        return number_converged() >= number;
+      if (is_missing || is_excluded) {
+        m_number_of_random_vectors += width;
+        return !is_missing && number_converged() >= number;
+      }
       if (is_full) {
         keep_largest(kept);
         begin = m_processed;
@@ -407,13 +419,14 @@ private:
     }
   }
 
-  // Of A restricted to what the vectors of the processed part of the basis from `first` on span.
-  double largest_eigenvalue_from(Eigen::Index first) const
+  // Of A restricted to what the vectors of the processed part of the basis from `first` on span,
+  // increasing.
+  Eigen::VectorXd eigenvalues_from(Eigen::Index first) const
   {
     const Eigen::Index size = width * m_processed - first;
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
                m_projected.block(first, first, size, size), Eigen::EigenvaluesOnly)
-        .eigenvalues()[size - 1];
+        .eigenvalues();
   }
 
   Eigenpairs eigenpairs(Eigen::Index number, bool have_converged)
@@ -453,6 +466,7 @@ private:
   Eigen::MatrixXd m_ritz_vectors;
   Eigen::MatrixXd m_ritz_couplings; // the parts of `A y` in the pending blocks
   double m_progress = 0;
+  bool m_lacks_room = false; // for the search for missing eigenvalues
   bool m_is_loose = false; // whether the first pending block is not quite orthogonal to the others
 };
 

@@ -38,9 +38,10 @@ The smallest eigenpairs of *L psi = lambda M psi* by the implicitly restarted La
 library <a href="https://spectralib.org">Spectra</a>, version 1.0 or later, with shift and invert:
 one vector at a time.
 
-It gives the same eigenpairs as `Block_lanczos_eigensolver`, in 1.6 times its time on large
-meshes. The header is not among those that `<CGAL/surface_mesh_reeb_graph.h>` includes, since it
-needs Spectra: with CMake, link to `Spectra::Spectra`.
+It gives the same eigenpairs as `Block_lanczos_eigensolver`, in several times its time on large
+meshes (\ref eigenbasis_performance). The header is not among those that
+`<CGAL/surface_mesh_reeb_graph.h>` includes, since it needs Spectra: with CMake, link to
+`Spectra::Spectra`.
 
 \tparam SolverTraits as in `Block_lanczos_eigensolver`
 

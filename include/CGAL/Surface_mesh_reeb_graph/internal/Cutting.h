@@ -102,7 +102,7 @@ public:
       m_sublevel_forest = std::move(forest);
       sequence = std::move(cuts.sequence);
       if (!cuts.saddles.empty()) {
-        finder.cut_ascents(m_nodes, ascents, std::move(cuts.cuts));
+        finder.cut_ascents(m_nodes, ascents, cuts.take_cuts());
         merge_superlevel_sets(sequence);
       }
     }

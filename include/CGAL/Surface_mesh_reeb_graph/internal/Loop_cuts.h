@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Merge_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Monotone_paths.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Path_cutter.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Unfolded_saddle.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Vertex_star.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/concurrency.h>
@@ -51,7 +52,7 @@ class Loop_cuts
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Walk = Level_set_walk<TriangleMesh>;
   using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Cut = typename Paths::Cut;
+  using Cutter = Path_cutter<TriangleMesh, Nodes, Paths>;
 
 public:
   Loop_cuts(const TriangleMesh& tmesh,
@@ -64,17 +65,64 @@ public:
     , m_order(order)
     , m_nodes(nodes)
     , m_ascents(ascents)
+    , m_cutter(tmesh, nodes, ascents)
     , m_has_border(has_border)
     , m_budget(static_cast<std::int64_t>(
           (std::min)(budget, std::size_t((std::numeric_limits<std::int64_t>::max)() / 2))))
     , m_unfolded(tmesh, order)
   {}
 
-  // Walks along the level set below the nodes `may_have_loops`, which are in increasing order, to find its components.
-  // Returns false if that takes more steps than the budget allows.
-  bool find_components(const std::vector<std::uint32_t>& may_have_loops)
+  // Walks along the level set below the nodes at which there may be loops, which are in increasing order, to find its
+  // components. Returns false if that takes more steps than the budget allows.
+  bool find_components(const std::vector<std::uint32_t>& nodes)
   {
-    return walk_below(may_have_loops);
+    m_walked.resize(nodes.size());
+    std::atomic<bool> is_budget_spent(false);
+    std::atomic<std::int64_t> budget(m_budget);
+    // a part of the budget is there for all nodes; the rest is shared out, so that if the first nodes take more than
+    // their shares, it is soon seen that all together will take too much
+    const std::int64_t share =
+        (m_budget - m_budget / 16) / (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
+    std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
+    for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<Walking> tasks((std::min)(end - begin, number_of_tasks_in_turn), Walking(*this));
+      // some steps at a time: what is shared by threads is slow
+      constexpr std::int64_t most_steps = 256;
+      std::int64_t steps = 0;
+      const auto spend = [&]() {
+        if (budget.fetch_sub(steps, std::memory_order_relaxed) - steps < reserve)
+          is_budget_spent = true;
+        steps = 0;
+      };
+      in_turn(
+          tasks,
+          [&](Walking& walking) {
+            while (begin < end && m_nodes.is_unfolded(nodes[begin]))
+              ++begin;
+            if (begin == end || is_budget_spent)
+              return false;
+            reserve.fetch_sub(share, std::memory_order_relaxed);
+            begin_walking(walking, nodes[begin]);
+            walking.number = begin++;
+            return true;
+          },
+          [&](Walking& walking) {
+            steps += static_cast<std::int64_t>(walking.walks.number_of_walks());
+            if (steps >= most_steps)
+              spend();
+            if (is_budget_spent)
+              return false;
+            if (walking.walks.advance(walking.vertex))
+              return true;
+            end_walking(walking);
+            return false;
+          },
+          [](Walking& walking) { walking.walks.read_crossings(); },
+          [&](Walking& walking) { walking.walks.read_sides(is_below(walking.vertex)); });
+      spend();
+    });
+    m_budget = budget;
+    return !is_budget_spent;
   }
 
   // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the paths. The components
@@ -104,9 +152,11 @@ public:
   bool is_leaf(std::uint32_t node) const { return node >= m_nodes.size(); }
   std::uint32_t saddle_of_leaf(std::uint32_t leaf) const { return saddles[leaf - m_nodes.size()]; }
 
+  // The cuts of upward paths, which are handed over.
+  std::vector<typename Paths::Cut> take_cuts() { return std::move(m_cutter.cuts); }
+
   std::vector<std::uint32_t> sequence; // of all nodes, the leaves included
   std::vector<std::uint32_t> saddles;  // of the leaves, whose numbers follow those of the nodes
-  std::vector<Cut> cuts;               // of upward paths
 
 private:
   // What the walks below a node have found: the component of every lower wedge, named after one of its wedges,
@@ -115,7 +165,7 @@ private:
   {
     std::vector<std::uint32_t> component_of_wedge;
     std::uint32_t longest = no_node;
-    std::size_t crossed_begin, crossed_end; // the edges that the others cross
+    std::size_t crossed_begin = 0, crossed_end = 0; // the edges that the others cross
   };
 
   struct Crossed_edge
@@ -142,49 +192,6 @@ private:
     vertex_descriptor vertex;
     std::size_t number = 0;
   };
-
-  bool walk_below(const std::vector<std::uint32_t>& nodes)
-  {
-    m_walked.resize(nodes.size());
-    std::atomic<bool> is_budget_spent(false);
-    std::atomic<std::int64_t> budget(m_budget);
-    // a part of the budget is there for all nodes; the rest is shared out, so that if the first nodes take more than
-    // their shares, it is soon seen that all together will take too much
-    const std::int64_t share =
-        (m_budget - m_budget / 16) / (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
-    std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
-    for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<Walking> tasks((std::min)(end - begin, number_of_tasks_in_turn), Walking(*this));
-      in_turn(
-          tasks,
-          [&](Walking& walking) {
-            while (begin < end && m_nodes.is_unfolded(nodes[begin]))
-              ++begin;
-            if (begin == end)
-              return false;
-            reserve.fetch_sub(share, std::memory_order_relaxed);
-            begin_walking(walking, nodes[begin]);
-            walking.number = begin++;
-            return true;
-          },
-          [&](Walking& walking) {
-            const std::int64_t steps = static_cast<std::int64_t>(walking.walks.number_of_walks());
-            if (is_budget_spent ||
-                budget.fetch_sub(steps, std::memory_order_relaxed) - steps < reserve) {
-              is_budget_spent = true;
-              return false;
-            }
-            if (walking.walks.advance(walking.vertex))
-              return true;
-            end_walking(walking);
-            return false;
-          },
-          [](Walking& walking) { walking.walks.read_crossings(); },
-          [&](Walking& walking) { walking.walks.read_sides(is_below(walking.vertex)); });
-    });
-    m_budget = budget;
-    return !is_budget_spent;
-  }
 
   void begin_walking(Walking& walking, std::uint32_t node) const
   {
@@ -277,7 +284,7 @@ private:
     for (std::size_t i = walked.crossed_begin; i < walked.crossed_end; ++i) {
       const std::uint32_t leaf = leaf_of_component[m_crossed[i].component];
       if (leaf != no_node)
-        cut_edge(m_crossed[i].halfedge, leaf, cuts);
+        m_cutter.cut(m_crossed[i].halfedge, leaf);
     }
   }
 
@@ -306,33 +313,11 @@ private:
 
   // ---- the cuts of the paths
 
-  // Cuts what goes up through an edge that a cut crosses; `h` points to its lower end. Few edges are on a path.
-  void cut_edge(halfedge_descriptor h, std::uint32_t leaf, std::vector<Cut>& result) const
-  {
-    const vertex_descriptor v = target(h, m_tmesh);
-    const std::uint32_t path = m_ascents.path_through(v);
-    if (path != Paths::no_path) {
-      if (m_ascents.goes_through(h))
-        result.push_back({path, leaf, v});
-      return;
-    }
-    const std::uint32_t node_at_v = m_ascents.node_at(v);
-    if (node_at_v == no_node)
-      return;
-    // the first edges of wedges
-    for (std::uint32_t node = m_nodes.number_of_end(node_at_v);
-         node < m_nodes.size() && m_nodes.vertex[node] == v;
-         ++node)
-      for (std::uint32_t w = m_nodes.upper_begin[node]; w < m_nodes.upper_begin[node + 1]; ++w)
-        if (m_nodes.upper_halfedge[w] == h)
-          result.push_back({m_nodes.upper_path[w], leaf, v});
-  }
-
   void cut_wedge(const Star& star, const typename Star::Wedge& wedge, std::uint32_t leaf)
   {
     for (std::size_t i = wedge.begin; i < wedge.end; ++i) {
       const halfedge_descriptor h = star.halfedges[i];
-      cut_edge(wedge.is_upper ? h : opposite(h, m_tmesh), leaf, cuts);
+      m_cutter.cut(wedge.is_upper ? h : opposite(h, m_tmesh), leaf);
     }
   }
 
@@ -346,7 +331,7 @@ private:
         std::uint32_t leaf;
       };
       std::vector<Task> tasks((std::min)(end - begin, number_of_tasks_in_turn));
-      std::vector<Cut> found;
+      Cutter cutter(m_tmesh, m_nodes, m_ascents);
       in_turn(
           tasks,
           [&](Task& task) {
@@ -364,11 +349,11 @@ private:
             const vertex_descriptor v = task.walk.step(m_tmesh, is_below(task.vertex));
             // in the reversed order of these walks, forward is down
             const halfedge_descriptor h = task.walk.halfedge();
-            cut_edge(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf, found);
+            cutter.cut(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf);
             return v != task.vertex;
           });
       const std::lock_guard<std::mutex> lock(m_mutex);
-      cuts.insert(cuts.end(), found.begin(), found.end());
+      m_cutter.cuts.insert(m_cutter.cuts.end(), cutter.cuts.begin(), cutter.cuts.end());
     });
   }
 
@@ -398,12 +383,13 @@ private:
   const VertexOrder& m_order;
   const Nodes& m_nodes;
   const Paths& m_ascents;
+  Cutter m_cutter;
   const bool m_has_border;
   std::int64_t m_budget;
   Number_sets m_components; // of the sublevel set, with the highest node as the root
   std::vector<Walked> m_walked;
   std::vector<Crossed_edge> m_crossed;
-  std::mutex m_mutex; // of m_crossed and cuts
+  std::mutex m_mutex; // of m_crossed and m_cutter
   Unfolded_saddle<TriangleMesh, VertexOrder> m_unfolded;
   std::uint32_t m_first = 0; // of the nodes of its vertex
   Star m_star;

@@ -102,14 +102,13 @@ public:
     return w == no_way || is_node(w) ? no_path : w - m_number_of_nodes;
   }
 
-  // Whether the path that has passed the end of `h` goes on through `h`.
-  bool goes_through(halfedge_descriptor h) const
+  // The edge through which the path that has passed a vertex goes on, as a halfedge that points to the vertex.
+  halfedge_descriptor way_out(vertex_descriptor v) const
   {
-    const vertex_descriptor v = target(h, m_tmesh);
-    halfedge_descriptor g = halfedge(v, m_tmesh);
-    while (g != h && !is_on_side(source(g, m_tmesh), v))
-      g = opposite(next(g, m_tmesh), m_tmesh);
-    return g == h && is_on_side(source(h, m_tmesh), v);
+    halfedge_descriptor h = halfedge(v, m_tmesh);
+    while (!is_on_side(source(h, m_tmesh), v))
+      h = opposite(next(h, m_tmesh), m_tmesh);
+    return h;
   }
 
   // Cuts the paths, which lead up.
