@@ -8,12 +8,13 @@
 #define SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
 
 #include <cstddef>
+#include <cstring>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include <malloc.h>
+#include <sys/mman.h>
 
 namespace Reeb_graph_benchmark {
 
@@ -21,9 +22,14 @@ namespace Reeb_graph_benchmark {
 // first time after a while, which would be charged to whoever comes first.
 inline void warm_up_memory(const std::size_t bytes)
 {
-  const std::unique_ptr<char[]> memory(new char[bytes]);
-  for (std::size_t i = 0; i < bytes; i += 4096)
-    static_cast<volatile char*>(memory.get())[i] = 1;
+  // not by malloc(), which would remember the size
+  void* const memory =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED)
+    return;
+  madvise(memory, bytes, MADV_HUGEPAGE);
+  std::memset(memory, 1, bytes);
+  munmap(memory, bytes);
 }
 
 // The bytes of pages in use since its construction: at most, without those in use before.
