@@ -34,6 +34,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -130,18 +131,15 @@ template <class Basis>
 bool agrees(const Mesh_key& key, const Basis& basis)
 {
   static std::map<Mesh_key, std::vector<double>> eigenvalues;
-  std::vector<double>& expected = eigenvalues[key];
-  const bool is_first = expected.empty();
-  if (!is_first && expected.size() != basis.number_of_eigenpairs(0))
-    return false;
-  for (std::size_t k = 1; k <= basis.number_of_eigenpairs(0); ++k) {
-    const double lambda = basis.eigenvalue(0, k);
-    if (is_first)
-      expected.push_back(lambda);
-    else if (std::abs(lambda - expected[k - 1]) > 1e-9 * lambda)
-      return false;
-  }
-  return true;
+  std::vector<double> found;
+  for (std::size_t c = 0; c < basis.number_of_components(); ++c)
+    for (std::size_t k = 1; k <= basis.number_of_eigenpairs(c); ++k)
+      found.push_back(basis.eigenvalue(c, k));
+  const std::vector<double>& expected = eigenvalues.emplace(key, found).first->second;
+  return std::equal(
+      found.begin(), found.end(), expected.begin(), expected.end(), [](double a, double b) {
+        return std::abs(a - b) <= 1e-9 * b;
+      });
 }
 
 template <Solver solver, class Eigensolver>

@@ -105,8 +105,6 @@ public:
     if (m_operator.is_small_for(number))
       return m_operator.dense_eigenpairs(number);
     const bool have_converged = iterate(number);
-    if (m_lacks_room)
-      return m_operator.dense_eigenpairs(number);
     if (!have_converged)
       number = (std::min)(number, number_converged());
     return eigenpairs(number, have_converged);
@@ -385,11 +383,10 @@ private:
     const Eigen::Index number_known = (m_ritz_values.head(number).array() >= least).count();
 
     const Eigen::Index kept = 2 * number / width + 1;
-    m_lacks_room = width * (kept + 2 * (number_of_pending_blocks() + 1)) > m_operator.rows();
-    if (m_lacks_room)
-      return true;
     keep_largest(kept);
-    insert_random_block(m_processed);
+    // one may be there already, of a search that was interrupted
+    if (width * number_of_pending_blocks() <= m_number_of_random_vectors)
+      insert_random_block(m_processed);
     const double amplification = std::log(40 * std::sqrt(static_cast<double>(m_operator.rows())));
     Eigen::Index begin = m_processed;
     double next = 0; // the largest eigenvalue of what is searched, as far as it is known
@@ -466,7 +463,6 @@ private:
   Eigen::MatrixXd m_ritz_vectors;
   Eigen::MatrixXd m_ritz_couplings; // the parts of `A y` in the pending blocks
   double m_progress = 0;
-  bool m_lacks_room = false; // for the search for missing eigenvalues
   bool m_is_loose = false; // whether the first pending block is not quite orthogonal to the others
 };
 

@@ -477,11 +477,17 @@ private:
   template <int Columns>
   void substitute(Scalar* x, Scalar* below) const
   {
+    using Row = internal::Register_vector<Scalar, Columns>;
     const Index number = m_structure.number_of_supernodes();
     const auto panel = [this](const Index s) {
       return internal::Panel_solver<Scalar, Columns>(m_factor.data() + m_structure.offset(s),
                                                      m_structure.width(s),
                                                      m_structure.number_of_rows_below(s));
+    };
+    const auto gather = [&](const Index s) {
+      const StorageIndex* const rows = m_structure.rows_below(s);
+      for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
+        Row::load(x + rows[i] * Index(Columns)).store(below + i * Columns);
     };
     // the rows of the next panel are asked for meanwhile
     const auto prefetch_rows = [&](const Index s) {
@@ -492,17 +498,17 @@ private:
     for (Index s = 0; s < number; ++s) {
       if (s + 1 < number)
         prefetch_rows(s + 1);
-      const auto solver = panel(s);
-      solver.gather(x, m_structure.rows_below(s), below);
-      solver.forward(x + m_structure.first_column(s) * Index(Columns), below);
-      solver.scatter(below, m_structure.rows_below(s), x);
+      gather(s);
+      panel(s).forward(x + m_structure.first_column(s) * Index(Columns), below);
+      const StorageIndex* const rows = m_structure.rows_below(s);
+      for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
+        Row::load(below + i * Columns).store(x + rows[i] * Index(Columns));
     }
     for (Index s = number - 1; s >= 0; --s) {
       if (s > 0)
         prefetch_rows(s - 1);
-      const auto solver = panel(s);
-      solver.gather(x, m_structure.rows_below(s), below);
-      solver.backward(x + m_structure.first_column(s) * Index(Columns), below);
+      gather(s);
+      panel(s).backward(x + m_structure.first_column(s) * Index(Columns), below);
     }
   }
 

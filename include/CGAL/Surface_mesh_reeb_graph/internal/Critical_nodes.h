@@ -62,13 +62,12 @@ struct Critical_nodes
   }
 
   std::vector<vertex_descriptor> vertex;
-  std::vector<std::uint32_t> number;      // of the node, by its number in the order of the mesh
-  std::vector<std::uint32_t> mesh_number; // the inverse
+  std::vector<std::uint32_t> number; // of the node, by its number in the order of the mesh
   // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
   std::vector<std::uint32_t> lower_begin, upper_begin;
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
-  std::vector<std::uint32_t>
-      upper_path; // by wedge; none for the way to another node of the same vertex
+  // the numbers of the upward paths, by wedge; none for the way to another node of the same vertex
+  std::vector<std::uint32_t> upper_path;
   // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null for the way to
   // another node of the same vertex
   std::vector<halfedge_descriptor> lower_halfedge, upper_halfedge;
@@ -305,34 +304,36 @@ private:
           const vertex_descriptor u = nodes.vertex[a.node], v = nodes.vertex[b.node];
           return u == v ? a.node < b.node : m_order(u, v);
         });
-    nodes.mesh_number.reserve(keyed.size());
+    std::vector<std::uint32_t> mesh_number;
+    mesh_number.reserve(keyed.size());
     for (const Keyed_node& k : keyed)
-      nodes.mesh_number.push_back(k.node);
-    renumber(nodes);
+      mesh_number.push_back(k.node);
+    renumber(nodes, mesh_number);
   }
 
   // The passes over the nodes are much faster if nodes that follow each other lie side by side.
-  void renumber(Nodes& nodes) const
+  // `mesh_number` holds their numbers in the order of the mesh.
+  void renumber(Nodes& nodes, const std::vector<std::uint32_t>& mesh_number) const
   {
     const std::size_t size = nodes.size();
     nodes.number.resize(size);
     std::vector<vertex_descriptor> vertex(size);
     for (std::uint32_t i = 0; i < size; ++i) {
-      nodes.number[nodes.mesh_number[i]] = i;
-      vertex[i] = nodes.vertex[nodes.mesh_number[i]];
+      nodes.number[mesh_number[i]] = i;
+      vertex[i] = nodes.vertex[mesh_number[i]];
     }
     nodes.vertex = std::move(vertex);
     for (std::uint32_t& end : nodes.lower_end)
       end = nodes.number[end];
     for (std::uint32_t& end : nodes.upper_end)
       end = nodes.number[end];
-    renumber_wedges(nodes.mesh_number, nodes.lower_begin, nodes.lower_halfedge);
-    renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_halfedge);
-    renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_path);
+    renumber_wedges(mesh_number, nodes.lower_begin, nodes.lower_halfedge);
+    renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_halfedge);
+    renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_path);
     std::vector<std::uint32_t> begin =
-        renumber_wedges(nodes.mesh_number, nodes.upper_begin, nodes.upper_end);
+        renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_end);
     nodes.upper_begin = std::move(begin);
-    begin = renumber_wedges(nodes.mesh_number, nodes.lower_begin, nodes.lower_end);
+    begin = renumber_wedges(mesh_number, nodes.lower_begin, nodes.lower_end);
     nodes.lower_begin = std::move(begin);
   }
 

@@ -145,7 +145,7 @@ public:
         attach(m_components.root(m_nodes.lower_end[w]), node, forest);
       sequence.push_back(node);
     }
-    cut_paths();
+    walk_along_cuts();
     return true;
   }
 
@@ -321,7 +321,8 @@ private:
     }
   }
 
-  void cut_paths()
+  // At unfolded saddles.
+  void walk_along_cuts()
   {
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
       struct Task

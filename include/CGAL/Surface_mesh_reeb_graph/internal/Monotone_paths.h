@@ -68,10 +68,10 @@ public:
     m_way[index(v)].store(node + 1, std::memory_order_relaxed);
   }
 
-  // Follows the paths from the vertices `start(i)` for `i < number`, and returns the number of the first of them; those
-  // of the others come next.
+  // Follows the paths from the vertices `start(i)` for `i < number`. Their numbers come after those of the paths that
+  // were followed before.
   template <class Start>
-  std::uint32_t follow(std::size_t number, const Start& start)
+  void follow(std::size_t number, const Start& start)
   {
     const std::size_t first = m_paths.size();
     m_paths.resize(first + number);
@@ -79,7 +79,6 @@ public:
       follow_range(first, begin, end, start);
     });
     m_tails.clear();
-    return static_cast<std::uint32_t>(first);
   }
 
   // The node at which a path ends from its start on, and from a vertex on that a path has passed (or that is a node).

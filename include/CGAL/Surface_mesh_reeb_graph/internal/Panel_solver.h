@@ -36,34 +36,6 @@ public:
     : m_panel(panel), m_width(width), m_below(below), m_rows(width + below)
   {}
 
-  // Copies the rows of x that lie below to y, and back.
-  template <class StorageIndex>
-  void gather(const Scalar* x, const StorageIndex* rows, Scalar* y) const
-  {
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (has_kernels)
-      if (x86::has_kernels()) {
-        x86::gather_rows(x, rows, m_below, y);
-        return;
-      }
-#endif
-    for (Index i = 0; i < m_below; ++i)
-      Row::load(x + rows[i] * Index(Columns)).store(y + i * Columns);
-  }
-  template <class StorageIndex>
-  void scatter(const Scalar* y, const StorageIndex* rows, Scalar* x) const
-  {
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (has_kernels)
-      if (x86::has_kernels()) {
-        x86::scatter_rows(y, rows, m_below, x);
-        return;
-      }
-#endif
-    for (Index i = 0; i < m_below; ++i)
-      Row::load(y + i * Columns).store(x + rows[i] * Index(Columns));
-  }
-
   // x := L11^-1 x, y := y - L21 x
   void forward(Scalar* x, Scalar* y) const
   {
@@ -101,10 +73,7 @@ public:
   }
 
 private:
-  const Scalar* column(const Index j) const
-  {
-    return m_panel + j * m_rows;
-  }
+  const Scalar* column(const Index j) const { return m_panel + j * m_rows; }
 
   template <int Number>
   void forward_columns(const Index j, Scalar* x, Scalar* y) const

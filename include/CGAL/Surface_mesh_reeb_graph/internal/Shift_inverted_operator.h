@@ -157,11 +157,12 @@ public:
   }
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
 
-  // Whether `number` of all eigenpairs are so many that a Krylov space, which needs room, and what
-  // is orthogonal to it leave no room: then all eigenpairs are computed.
+  // Whether `number` of all eigenpairs are so many that a Krylov space leaves no room for what is
+  // orthogonal to it: then all eigenpairs are computed. A search for multiple ones keeps two vectors for every
+  // pair, and multiplies one or fewer for every pair.
   bool is_small_for(Eigen::Index number) const
   {
-    return 3 * number + 60 >= (m_sqrt_mass.array() > 0).count();
+    return (std::max)(3 * number + 60, 4 * number + 24) >= (m_sqrt_mass.array() > 0).count();
   }
 
   // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense

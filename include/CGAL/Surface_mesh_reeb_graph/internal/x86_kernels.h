@@ -214,29 +214,6 @@ __attribute__((target("avx2,fma"))) void substitute_backward(const double* l,
   }
 }
 
-// Copies rows of x to `to`, and back.
-template <class Index>
-__attribute__((target("avx2,fma"))) void
-gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
-{
-  for (std::ptrdiff_t i = 0; i < number; ++i, to += 8) {
-    const double* const row = x + 8 * static_cast<std::ptrdiff_t>(rows[i]);
-    _mm256_storeu_pd(to, _mm256_loadu_pd(row));
-    _mm256_storeu_pd(to + 4, _mm256_loadu_pd(row + 4));
-  }
-}
-
-template <class Index>
-__attribute__((target("avx2,fma"))) void
-scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
-{
-  for (std::ptrdiff_t i = 0; i < number; ++i, from += 8) {
-    double* const row = x + 8 * static_cast<std::ptrdiff_t>(rows[i]);
-    _mm256_storeu_pd(row, _mm256_loadu_pd(from));
-    _mm256_storeu_pd(row + 4, _mm256_loadu_pd(from + 4));
-  }
-}
-
 // `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
 // each other.
 __attribute__((target("avx2,fma"))) inline void subtract_tile(
@@ -491,23 +468,6 @@ __attribute__((target("avx512f"))) void substitute_backward(const double* l,
   }
 }
 
-// Copies rows of x to `to`, and back.
-template <class Index>
-__attribute__((target("avx512f"))) void
-gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
-{
-  for (std::ptrdiff_t i = 0; i < number; ++i)
-    _mm512_storeu_pd(to + 8 * i, _mm512_loadu_pd(x + 8 * static_cast<std::ptrdiff_t>(rows[i])));
-}
-
-template <class Index>
-__attribute__((target("avx512f"))) void
-scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
-{
-  for (std::ptrdiff_t i = 0; i < number; ++i)
-    _mm512_storeu_pd(x + 8 * static_cast<std::ptrdiff_t>(rows[i]), _mm512_loadu_pd(from + 8 * i));
-}
-
 // `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
 // each other.
 __attribute__((target("avx512f"))) inline void subtract_tile(
@@ -599,18 +559,6 @@ void substitute_backward(const double* l,
 {
   (has_avx512() ? avx512::substitute_backward<columns>
                 : avx2::substitute_backward<columns>)(l, stride, inside, below, x, y);
-}
-
-template <class Index>
-void gather_rows(const double* x, const Index* rows, std::ptrdiff_t number, double* to)
-{
-  (has_avx512() ? avx512::gather_rows<Index> : avx2::gather_rows<Index>)(x, rows, number, to);
-}
-
-template <class Index>
-void scatter_rows(const double* from, const Index* rows, std::ptrdiff_t number, double* x)
-{
-  (has_avx512() ? avx512::scatter_rows<Index> : avx2::scatter_rows<Index>)(from, rows, number, x);
 }
 
 constexpr std::ptrdiff_t tile_rows = 16, tile_columns = 8;
