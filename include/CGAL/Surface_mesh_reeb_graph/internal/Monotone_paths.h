@@ -106,7 +106,7 @@ public:
   {
     halfedge_descriptor h = halfedge(v, m_tmesh);
     while (!is_on_side(source(h, m_tmesh), v))
-      h = opposite(next(h, m_tmesh), m_tmesh);
+      h = next_edge(h);
     return h;
   }
 
@@ -167,6 +167,14 @@ private:
     return m_side == BELOW ? m_order(u, v) : m_order(v, u);
   }
 
+  // The next edge around a vertex. Ways up and down turn in different directions: as meshes are made, the first edges
+  // of a vertex often lead to one side, and the last ones to the other.
+  halfedge_descriptor next_edge(halfedge_descriptor h) const
+  {
+    return m_side == BELOW ? prev(opposite(h, m_tmesh), m_tmesh)
+                           : opposite(next(h, m_tmesh), m_tmesh);
+  }
+
   bool is_node(std::uint32_t way) const { return way < m_number_of_nodes; }
 
   std::uint32_t way(std::size_t i) const { return m_way[i].load(std::memory_order_relaxed) - 1; }
@@ -191,7 +199,7 @@ private:
         [&](Walker& walker) { return advance(walker); },
         [&](Walker& walker) {
           walker.neighbor = source(walker.edge, m_tmesh);
-          walker.next_edge = opposite(next(walker.edge, m_tmesh), m_tmesh);
+          walker.next_edge = next_edge(walker.edge);
         },
         [&](Walker& walker) {
           walker.is_neighbor_on_side = is_on_side(walker.neighbor, walker.vertex);

@@ -52,27 +52,38 @@ public:
       Part& part = parts[p];
       if (p > 0) // the first part works in place
         part.states.assign(m_states.size(), 0);
-      auto begin = std::next(range.begin(), difference(number_of_faces * p / parts.size()));
-      auto end = std::next(range.begin(), difference(number_of_faces * (p + 1) / parts.size()));
-      pass(tmesh, begin, end, vertex_index_map, key, part, p > 0 ? part.states : m_states);
+      const std::size_t begin = number_of_faces * p / parts.size(),
+                        end = number_of_faces * (p + 1) / parts.size();
+      pass(tmesh,
+           std::next(range.begin(), static_cast<std::ptrdiff_t>(begin)),
+           end - begin,
+           vertex_index_map,
+           key,
+           part,
+           p > 0 ? part.states : m_states);
     });
 
-    bool is_strict = true, have_three_edges = true;
+    bool have_three_edges = true;
+    std::size_t number_of_rising_halfedges = 0;
     for (const Part& part : parts) {
-      is_strict = is_strict && part.is_strict;
-      have_three_edges = have_three_edges && part.has_three_edges;
+      have_three_edges = have_three_edges && part.have_three_edges;
+      number_of_rising_halfedges += part.number_of_rising_halfedges;
       for (std::size_t i = 0; i < part.states.size(); ++i)
         m_states[i] = sum(m_states[i], part.states[i]);
     }
     // if no face has less than three edges, the number of all edges tells whether one has more
     const auto all_halfedges = halfedges(tmesh);
-    std::size_t number_of_inner_halfedges =
+    const std::size_t number_of_halfedges =
         static_cast<std::size_t>(std::distance(all_halfedges.begin(), all_halfedges.end()));
-    if (number_of_inner_halfedges != 3 * number_of_faces)
-      number_of_inner_halfedges -= mark_border(tmesh, vertex_index_map);
-    if (!have_three_edges || number_of_inner_halfedges != 3 * number_of_faces)
+    Border border;
+    if (number_of_halfedges != 3 * number_of_faces)
+      border = mark_border(tmesh, vertex_index_map, key);
+    if (!have_three_edges ||
+        number_of_halfedges != 3 * number_of_faces + border.number_of_halfedges)
       throw Reeb_graph_error("the mesh has a face that is not a triangle");
-    return is_strict;
+    // Of the two halfedges of an edge one rises, or none if its values are equal, or one of them is not a number.
+    const std::size_t number_of_edges = number_of_halfedges / 2 - border.number_of_faceless_edges;
+    return number_of_rising_halfedges + border.number_of_rising_halfedges == number_of_edges;
   }
 
   // Whether a face has an edge that no other one has, or an edge has no face.
@@ -107,67 +118,85 @@ private:
   struct Part
   {
     std::vector<std::uint8_t> states;
-    bool is_strict = true;
-    bool has_three_edges = true; // every face, at least
+    std::size_t number_of_rising_halfedges = 0;
+    bool have_three_edges = true; // all faces, at least
   };
 
-  static std::ptrdiff_t difference(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
+  struct Border
+  {
+    std::size_t number_of_halfedges = 0;
+    std::size_t number_of_rising_halfedges = 0; // without those of edges that have no face
+    std::size_t number_of_faceless_edges = 0;
+  };
 
   static std::uint8_t sum(std::uint8_t a, std::uint8_t b)
   {
     return static_cast<std::uint8_t>((std::min)(int(a) + int(b), int(LARGEST_NUMBER)));
   }
 
+  // Goes over `number` faces from `face` on, a few at a time: their middle vertices first, which wait for nothing but
+  // the mesh, and then the counts, of which neighboring faces often share one.
   template <class TriangleMesh, class FaceIterator, class VertexIndexMap, class Key>
   static void pass(const TriangleMesh& tmesh,
-                   FaceIterator begin,
-                   FaceIterator end,
+                   FaceIterator face,
+                   std::size_t number,
                    VertexIndexMap vertex_index_map,
                    const Key& key,
                    Part& part,
                    std::vector<std::uint8_t>& states)
   {
+    std::array<std::size_t, 16> middle;
     // numbers in the place of truth values: no branches, which could not be predicted where the function is noisy
-    unsigned is_strict = 1, has_three_edges = 1;
-    for (FaceIterator f = begin; f != end; ++f) {
-      // no need to read the third halfedge: the pass takes the time of its accesses to the memory
-      const auto h0 = halfedge(*f, tmesh), h1 = next(h0, tmesh);
-      const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = source(h0, tmesh);
-      const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
-      const unsigned a = k0 < k1, b = k1 < k2, c = k2 < k0;
-      // values that are not numbers are not distinct either
-      is_strict &= (a | unsigned(k1 < k0)) & (b | unsigned(k2 < k1)) & (c | unsigned(k0 < k2));
-      has_three_edges &= unsigned(h1 != h0) & unsigned(next(h1, tmesh) != h0);
-      const std::array<std::size_t, 3> indices = {
-          static_cast<std::size_t>(get(vertex_index_map, v0)),
-          static_cast<std::size_t>(get(vertex_index_map, v1)),
-          static_cast<std::size_t>(get(vertex_index_map, v2))};
-      // of the three comparisons two are alike; the middle vertex takes part in both
-      std::uint8_t& state =
-          states[indices[unsigned(a == b) + 2 * (unsigned(b == c) & unsigned(a != b))]];
-      state = static_cast<std::uint8_t>(state + unsigned(state != LARGEST_NUMBER));
+    unsigned have_three_edges = 1;
+    while (number > 0) {
+      const std::size_t size = (std::min)(number, middle.size());
+      number -= size;
+      unsigned number_of_rising_halfedges = 0;
+      for (std::size_t i = 0; i < size; ++i, ++face) {
+        // no need to read the third halfedge: the pass takes the time of its accesses to the memory
+        const auto h0 = halfedge(*face, tmesh), h1 = next(h0, tmesh);
+        have_three_edges &= unsigned(next(h1, tmesh) != h0);
+        const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = source(h0, tmesh);
+        const auto k0 = key(v0), k1 = key(v1), k2 = key(v2);
+        const unsigned a = k0 < k1, b = k1 < k2, c = k2 < k0;
+        number_of_rising_halfedges += a + b + c;
+        const std::size_t i0 = static_cast<std::size_t>(get(vertex_index_map, v0)),
+                          i1 = static_cast<std::size_t>(get(vertex_index_map, v1)),
+                          i2 = static_cast<std::size_t>(get(vertex_index_map, v2));
+        // of the three comparisons two are alike; the middle vertex takes part in both
+        const std::size_t other = b == c ? i2 : i0;
+        middle[i] = a == b ? i1 : other;
+      }
+      part.number_of_rising_halfedges += number_of_rising_halfedges;
+      for (std::size_t i = 0; i < size; ++i) {
+        std::uint8_t& state = states[middle[i]];
+        state = static_cast<std::uint8_t>(state + unsigned(state != LARGEST_NUMBER));
+      }
     }
-    part.is_strict = is_strict != 0;
-    part.has_three_edges = has_three_edges != 0;
+    part.have_three_edges = have_three_edges != 0;
   }
 
-  // Returns the number of border halfedges.
-  template <class TriangleMesh, class VertexIndexMap>
-  std::size_t mark_border(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+  template <class TriangleMesh, class VertexIndexMap, class Key>
+  Border mark_border(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map, const Key& key)
   {
-    std::size_t number_of_border_halfedges = 0;
+    Border border;
+    std::size_t number_of_faceless_halfedges = 0;
     for (const auto h : CGAL::make_range(halfedges(tmesh))) {
       if (!is_border(h, tmesh))
         continue;
-      ++number_of_border_halfedges;
+      ++border.number_of_halfedges;
       if (is_border(opposite(h, tmesh), tmesh))
-        m_has_faceless_edges = true;
+        ++number_of_faceless_halfedges;
+      else if (key(source(h, tmesh)) < key(target(h, tmesh)))
+        ++border.number_of_rising_halfedges;
       // one border halfedge points to a vertex in every open fan
       std::uint8_t& state = m_states[get(vertex_index_map, target(h, tmesh))];
       state = static_cast<std::uint8_t>(state | ((state & BORDER) != 0 ? PINCHED : BORDER));
     }
-    m_has_border = number_of_border_halfedges > 0;
-    return number_of_border_halfedges;
+    border.number_of_faceless_edges = number_of_faceless_halfedges / 2;
+    m_has_border = border.number_of_halfedges > 0;
+    m_has_faceless_edges = number_of_faceless_halfedges > 0;
+    return border;
   }
 
   std::vector<std::uint8_t> m_states; // by vertex index
