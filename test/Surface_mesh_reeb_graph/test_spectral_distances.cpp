@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/farthest_pair.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
 #include <CGAL/Surface_mesh_reeb_graph/mapping_functions.h>
@@ -30,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <random>
@@ -43,6 +45,9 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using vertex_descriptor = boost::graph_traits<Mesh>::vertex_descriptor;
 using Eigenbasis = SMRG::Laplace_beltrami_eigenbasis<Mesh>;
+using Float_eigenbasis =
+    SMRG::Laplace_beltrami_eigenbasis<Mesh, SMRG::Block_lanczos_eigensolver<>, float>;
+using Eigenbases = boost::mpl::list<Eigenbasis, Float_eigenbasis>;
 using Matrix_types = boost::mpl::list<Eigen::MatrixXf, Eigen::MatrixXd>;
 
 namespace {
@@ -317,9 +322,9 @@ BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(distances_on_meshes, Shape)
 
-BOOST_AUTO_TEST_CASE(distances_of_one_source_are_those_of_pairs)
+BOOST_AUTO_TEST_CASE_TEMPLATE(distances_of_one_source_are_those_of_pairs, Basis, Eigenbases)
 {
-  const Eigenbasis basis(mesh);
+  const Basis basis(mesh);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // in every component; the last one is isolated
   for (const std::size_t s :
@@ -351,9 +356,9 @@ BOOST_AUTO_TEST_CASE(distances_of_one_source_are_those_of_pairs)
   }
 }
 
-BOOST_AUTO_TEST_CASE(commute_time_function_is_the_largest_distance)
+BOOST_AUTO_TEST_CASE_TEMPLATE(commute_time_function_is_the_largest_distance, Basis, Eigenbases)
 {
-  const Eigenbasis basis(mesh);
+  const Basis basis(mesh);
   const std::vector<vertex_descriptor> points = {
       vertices[3], vertices[60], vertices[61], vertices[62], vertices[150], vertices[163]};
   std::vector<Distances> of_points;
@@ -369,6 +374,48 @@ BOOST_AUTO_TEST_CASE(commute_time_function_is_the_largest_distance)
         expected = (std::max)(expected, distances.at(v));
     BOOST_CHECK_CLOSE_FRACTION(values.at(v), expected, 1e-13);
   }
+}
+
+BOOST_AUTO_TEST_CASE(eigenfunctions_of_type_float_are_the_rounded_ones)
+{
+  const Eigenbasis basis(mesh);
+  const Float_eigenbasis float_basis(mesh);
+  BOOST_TEST(float_basis.residual() == basis.residual());
+  for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
+    const std::size_t number = basis.number_of_eigenpairs(c);
+    BOOST_TEST_REQUIRE(float_basis.number_of_eigenpairs(c) == number);
+    for (std::size_t k = 1; k <= number; ++k) {
+      BOOST_TEST(float_basis.eigenvalue(c, k) == basis.eigenvalue(c, k));
+      for (const vertex_descriptor v : basis.component_vertices(c)) {
+        const double value = basis.eigenfunction(k, v);
+        BOOST_TEST(std::abs(float_basis.eigenfunction(k, v) - value) <=
+                   6e-8 * std::abs(value) + (std::numeric_limits<float>::min)());
+      }
+    }
+  }
+
+  // and so are the distances, in the end
+  std::vector<vertex_descriptor> points, float_points;
+  SMRG::feature_points(basis, std::back_inserter(points));
+  SMRG::feature_points(float_basis, std::back_inserter(float_points));
+  BOOST_TEST(points.size() > 1);
+  BOOST_TEST(float_points == points, boost::test_tools::per_element());
+  const Distances values =
+      distances_of([&](auto map) { SMRG::commute_time_function(basis, points, map); });
+  const Distances float_values =
+      distances_of([&](auto map) { SMRG::commute_time_function(float_basis, points, map); });
+  double largest = 0, largest_difference = 0;
+  for (const vertex_descriptor v : vertices) {
+    largest = (std::max)(largest, values.at(v));
+    largest_difference =
+        (std::max)(largest_difference, std::abs(float_values.at(v) - values.at(v)));
+  }
+  BOOST_TEST(largest_difference > 0);
+  BOOST_TEST(largest_difference < 1e-6 * largest);
+  const Distances eigenfunction =
+      distances_of([&](auto map) { SMRG::eigenfunction(float_basis, 2, map); });
+  for (const vertex_descriptor v : basis.component_vertices(0))
+    BOOST_TEST(eigenfunction.at(v) == float_basis.eigenfunction(2, v));
 }
 
 // Until they are smaller than all numbers.

@@ -93,7 +93,7 @@ that the paper builds on. The literal reading is available as a named parameter.
 
 Components without eigenpairs (isolated vertices) have no feature points; all others have at least one.
 
-\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam OutputIterator a model of `OutputIterator` that holds
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
 \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
@@ -130,11 +130,13 @@ is about as long as the longest: then it is a long one.
 */
 template <class TriangleMesh,
           class Eigensolver,
+          class EigenfunctionNumber,
           class OutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-OutputIterator feature_points(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
-                              OutputIterator out,
-                              const NamedParameters& np = CGAL::parameters::default_values())
+OutputIterator feature_points(
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    OutputIterator out,
+    const NamedParameters& np = CGAL::parameters::default_values())
 {
   const double small_time = internal::choose_own_parameter(np, internal::tags::small_time, 1.5);
   const double large_time = internal::choose_own_parameter(np, internal::tags::large_time, 20.);

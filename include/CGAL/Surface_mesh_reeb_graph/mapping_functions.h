@@ -95,7 +95,7 @@ void height_function(const TriangleMesh& tmesh,
 
 writes the eigenfunction of the `k`-th smallest non-zero eigenvalue, of every component its own.
 
-\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
 
@@ -108,10 +108,11 @@ Takes O(n) time for *n* vertices.
 
 \throws Reeb_graph_error if no component has `k` eigenpairs; nothing has been written then
 */
-template <class TriangleMesh, class Eigensolver, class VertexScalarMap>
-void eigenfunction(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
-                   std::size_t k,
-                   VertexScalarMap values)
+template <class TriangleMesh, class Eigensolver, class EigenfunctionNumber, class VertexScalarMap>
+void eigenfunction(
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    std::size_t k,
+    VertexScalarMap values)
 {
   auto has_eigenpair = [&](std::size_t c) { return 1 <= k && k <= basis.number_of_eigenpairs(c); };
   bool is_somewhere = false;
@@ -132,7 +133,7 @@ vertex to the feature points of its component,
 `F(v) = max_i d_C(v, V_i)`. It is smallest in the center of the shape and largest on the tips of its limbs, and does
 not depend on pose and size.
 
-\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexRange a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
@@ -146,10 +147,15 @@ Takes O(n k m) time for *n* vertices, *k* eigenpairs and *m* feature points.
 \sa `feature_points()`
 \sa `commute_time_reeb_graph()`
 */
-template <class TriangleMesh, class Eigensolver, class VertexRange, class VertexScalarMap>
-void commute_time_function(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
-                           const VertexRange& points,
-                           VertexScalarMap values)
+template <class TriangleMesh,
+          class Eigensolver,
+          class EigenfunctionNumber,
+          class VertexRange,
+          class VertexScalarMap>
+void commute_time_function(
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    const VertexRange& points,
+    VertexScalarMap values)
 {
   std::vector<std::vector<std::size_t>> sources(basis.number_of_components());
   for (auto v : points)

@@ -58,7 +58,7 @@ computes the diffusion distances (\cgalCite{el_khoury_2012}, Eq. 8) of all verti
 Where a distance is `1e-150` times the largest one or less, which takes large times and vertices that the
 first eigenfunctions do not tell apart, it may come out as 0.
 
-\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexDistanceMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
 
@@ -73,11 +73,12 @@ Takes O(n k) time for *n* vertices and *k* eigenpairs.
 
 \sa `commute_time_distances()`
 */
-template <class TriangleMesh, class Eigensolver, class VertexDistanceMap>
-void diffusion_distances(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
-                         typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                         double t,
-                         VertexDistanceMap distances)
+template <class TriangleMesh, class Eigensolver, class EigenfunctionNumber, class VertexDistanceMap>
+void diffusion_distances(
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+    double t,
+    VertexDistanceMap distances)
 {
   internal::check_diffusion_time(t);
   const auto& b = basis.basis(basis.component(source));
@@ -94,7 +95,7 @@ void diffusion_distances(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigenso
 computes the commute-time distances (\cgalCite{el_khoury_2012}, Eq. 9) of all vertices from one: what
 `Laplace_beltrami_eigenbasis::commute_time_distance()` returns, for all vertices in one pass over the eigenfunctions.
 
-\tparam TriangleMesh, Eigensolver as in `Laplace_beltrami_eigenbasis`
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexDistanceMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
 
@@ -107,10 +108,11 @@ Takes O(n k) time for *n* vertices and *k* eigenpairs.
 \sa `diffusion_distances()`
 \sa `commute_time_function()`
 */
-template <class TriangleMesh, class Eigensolver, class VertexDistanceMap>
-void commute_time_distances(const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver>& basis,
-                            typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
-                            VertexDistanceMap distances)
+template <class TriangleMesh, class Eigensolver, class EigenfunctionNumber, class VertexDistanceMap>
+void commute_time_distances(
+    const Laplace_beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+    VertexDistanceMap distances)
 {
   const auto& b = basis.basis(basis.component(source));
   internal::write_distances(
