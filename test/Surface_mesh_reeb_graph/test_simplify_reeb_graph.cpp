@@ -784,6 +784,28 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
                                 3 * static_cast<double>(n)));
   BOOST_TEST(num_edges(graph) == 2 * n - 1);
 
+  // maxima that stay hang on the highest minimum, and would move on whenever the next minimum is cancelled
+  arcs.clear();
+  values.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(n - 1 + i, n + i);
+    arcs.emplace_back(n + i, 3 * n - 1 + i);
+  }
+  for (std::size_t i = 1; i < n; ++i) {
+    arcs.emplace_back(n - 1 - i, 2 * n - 1 + i);
+    arcs.emplace_back(2 * n - 1 + i, i + 1 < n ? 2 * n + i : 4 * n - 1);
+  }
+  arcs.emplace_back(2 * n - 1, 2 * n);
+  for (std::size_t i = 0; i < 4 * n; ++i)
+    values.push_back(static_cast<double>(i < 3 * n - 1 ? i : 10 * n + i));
+  graph = make_graph(values, arcs);
+  SMRG::simplify_reeb_graph(no_mesh,
+                            no_values,
+                            graph,
+                            SMRG::parameters::threshold_is_absolute(true).persistence_threshold(
+                                4 * static_cast<double>(n)));
+  BOOST_TEST(num_edges(graph) == 2 * n + 1);
+
   arcs.clear(); // a comb
   arcs.emplace_back(0, n + 1);
   for (std::size_t i = 0; i < n; ++i) {

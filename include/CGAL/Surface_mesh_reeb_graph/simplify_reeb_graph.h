@@ -178,8 +178,7 @@ private:
     if (!m_parameters.is_absolute)
       sort_by_relative_persistence(pairs);
     pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
-    for (const Extremum_pair& pair : pairs)
-      m_folded.cancel(pair);
+    m_folded.cancel(pairs);
   }
 
   // Inside a component the order stays as it is.
@@ -293,9 +292,8 @@ new.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs, plus the numbers of nodes that are passed
-on the paths that are zipped together when other branches hang on a cancelled one, plus O(log m) for
-every node on the cycle of a closed loop; O(m log m) again as often as closing loops has changed
+Takes O(m log m) time for a graph with *m* nodes and arcs, plus O(log m) for every node on the cycle
+of a closed loop; O(m log m) again as often as closing loops has changed
 other pairs. If there is anything to bring up to date for *n* vertices or faces, O(n log m) more, as
 long as the vertices lie between the ends of the arcs that they go to.
 

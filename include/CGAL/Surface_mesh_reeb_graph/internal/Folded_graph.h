@@ -11,10 +11,13 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FOLDED_GRAPH_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_point.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Zipped_branches.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,8 +26,8 @@ namespace internal {
 
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
 // arcs are cut at the heights of nodes and go into other arcs. It remembers what became of every
-// arc, for the vertices of the mesh to follow. All changes take constant time, also at nodes with
-// many arcs.
+// arc, for the vertices of the mesh to follow. All changes of single arcs take constant time, also at
+// nodes with many arcs.
 class Folded_graph
 {
 public:
@@ -70,6 +73,7 @@ public:
   template <class IsBelow>
   std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
   {
+    Arc_point<IsBelow> point(is_below);
     for (;;) {
       Fate& fate = m_fates[arc];
       if (fate.kind == STAYS)
@@ -79,8 +83,15 @@ public:
         if (next.kind == GOES_INTO)
           fate = next; // halves the path for later queries
         arc = fate.arc;
+      } else if (fate.kind == IS_CUT) {
+        arc = point.is_below(fate.node) ? fate.arc : fate.upper_arc;
       } else {
-        arc = is_below(fate.node) ? fate.arc : fate.upper_arc;
+        const Zipped_branches& branches = m_zipped_branches[fate.arc];
+        if (fate.node == no_node)
+          point.move_into(m_arcs[arc]);
+        else
+          point.move_next_to(fate.node, branches.side());
+        arc = branches.arc_at(fate.position, point);
       }
     }
   }
@@ -105,13 +116,40 @@ public:
     m_fates[arc].arc = other;
   }
 
+  // Replaces arcs by those that come about when branches are zipped together with their neighbors. For arcs that are
+  // replaced, `first` holds the position of the new arc where their points begin their way; `next_to` holds a node if
+  // the points go next to it instead of to those of the same height.
+  void replace(Zipped_branches&& branches,
+               const std::vector<std::uint32_t>& first,
+               const std::vector<std::uint32_t>& next_to)
+  {
+    for (std::uint32_t arc = 0; arc < first.size(); ++arc) {
+      if (first[arc] == no_arc)
+        continue;
+      detach(arc);
+      Fate& fate = m_fates[arc];
+      fate.kind = IS_ZIPPED;
+      fate.arc = static_cast<std::uint32_t>(m_zipped_branches.size());
+      fate.position = first[arc];
+      fate.node = next_to[arc];
+    }
+    branches.finish([&](std::uint32_t begin, std::uint32_t end) {
+      return add_arc(branches.side() == BELOW ? Arc_ends{end, begin} : Arc_ends{begin, end});
+    });
+    m_zipped_branches.push_back(std::move(branches));
+  }
+
   // Glues a node to a point inside an arc. Returns the lower and the upper part of the arc.
   Arc_ends cut(std::uint32_t arc, std::uint32_t node)
   {
     detach(arc);
     const std::uint32_t lower_arc = add_arc({m_arcs[arc].lower, node});
     const std::uint32_t upper_arc = add_arc({node, m_arcs[arc].upper});
-    m_fates[arc] = {IS_CUT, lower_arc, upper_arc, node};
+    Fate& fate = m_fates[arc];
+    fate.kind = IS_CUT;
+    fate.arc = lower_arc;
+    fate.upper_arc = upper_arc;
+    fate.node = node;
     m_heirs[arc] = {lower_arc, upper_arc};
     return {lower_arc, upper_arc};
   }
@@ -136,15 +174,18 @@ public:
   }
 
 private:
-  // What became of an arc: it stays; it went into another one; or it was cut at a node into a lower
-  // and an upper arc.
-  enum Fate_kind { STAYS, GOES_INTO, IS_CUT };
+  // What became of an arc: it stays; it went into another one; it was cut at a node into a lower and an upper arc;
+  // or it was zipped together with others, as a part of a branch.
+  enum Fate_kind { STAYS, GOES_INTO, IS_CUT, IS_ZIPPED };
 
   struct Fate
   {
     Fate_kind kind = STAYS;
-    std::uint32_t arc = no_arc; // the one it went into, or the lower one
+    // the one it went into, or the lower one; or the number of the zipped branches
+    std::uint32_t arc = no_arc;
     std::uint32_t upper_arc = no_arc;
+    std::uint32_t position = no_arc; // in the zipped branches
+    // of the cut; or the one that the points of a zipped arc go next to, if there is one
     std::uint32_t node = no_node;
   };
 
@@ -198,6 +239,7 @@ private:
   std::vector<std::array<Links, 2>> m_links; // by arc and side, in the list of the arc's other end
   std::vector<std::array<Arcs_of_side, 2>> m_arcs_of_node;
   std::vector<bool> m_is_removed;
+  std::vector<Zipped_branches> m_zipped_branches;
 };
 
 } // namespace internal
