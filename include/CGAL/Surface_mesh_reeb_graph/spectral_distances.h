@@ -38,12 +38,12 @@ void write_distances(const Eigenbasis& basis,
   const Eigen::VectorXd squared =
       largest_squared_distances(b.eigenfunctions, factors, {basis.position(source)});
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
-    for (auto v : basis.component_vertices(c))
+    const auto& component_vertices = basis.component_vertices(c);
+    for (std::size_t i = 0; i < component_vertices.size(); ++i)
       put(distances,
-          v,
-          c == source_component
-              ? scale * std::sqrt(squared[static_cast<Eigen::Index>(basis.position(v))])
-              : (std::numeric_limits<double>::infinity)());
+          component_vertices[i],
+          c == source_component ? scale * std::sqrt(squared[static_cast<Eigen::Index>(i)])
+                                : (std::numeric_limits<double>::infinity)());
   }
 }
 

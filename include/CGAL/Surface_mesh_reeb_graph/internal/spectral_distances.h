@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_DISTANCES_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/x86_distance_kernels.h>
 
 #include <Eigen/Core>
 
@@ -90,6 +91,24 @@ void squared_distances(const Matrix& eigenfunctions,
   // Four columns at once, so that the sums are not fetched and stored for every one.
   result.setZero();
   Eigen::Index i = 0;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_kernels()) {
+    for (; i + 4 <= factors.size(); i += 4) {
+      x86::Columns<typename Matrix::Scalar> columns;
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        columns.begin[k] = &eigenfunctions.coeffRef(begin, i + k);
+        columns.factors[k] = factors[i + k];
+        columns.point[k] = point[i + k];
+      }
+      const Eigen::Index first_left_out = x86::add_squares(columns, result.size(), result.data());
+      for (Eigen::Index row = first_left_out; row < result.size(); ++row)
+        for (Eigen::Index k = 0; k < 4; ++k) {
+          const double difference = factors[i + k] * (double(columns.begin[k][row]) - point[i + k]);
+          result[row] += difference * difference;
+        }
+    }
+  }
+#endif
   for (; i + 4 <= factors.size(); i += 4)
     result += (squares(i) + squares(i + 1)) + (squares(i + 2) + squares(i + 3));
   for (; i < factors.size(); ++i)
@@ -101,7 +120,8 @@ Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
                                   const Eigen::VectorXd& factors,
                                   const Eigen::RowVectorXd& point)
 {
-  constexpr Eigen::Index rows_per_block = 512;
+  // The sums stay in the nearest cache, and the parts of the columns are so long that they are fetched in advance.
+  constexpr Eigen::Index rows_per_block = 2048;
   Eigen::VectorXd result(eigenfunctions.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
     const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
@@ -151,6 +171,9 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
 
   // All columns of a block stay in the cache; by the odd number of cache lines they share no place in it.
   constexpr Eigen::Index rows_per_block = 120;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  static_assert(rows_per_block == x86::Sources::rows, "the kernels take the same blocks");
+#endif
   Eigen::VectorXd result(eigenfunctions.rows());
   Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(rows_per_block, factors.size());
   Eigen::ArrayXd excess(rows_per_block); // over the squared distance to the first source
@@ -168,6 +191,14 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     excess.setZero();
     using Rows = Eigen::Array<double, 4, 1>;
     for (std::size_t g = 0; g < number_of_groups; ++g) {
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+      if (x86::has_kernels()) {
+        x86::take_largest_sums({factors.size(), others[g].front().data(), squared_norms[g].data()},
+                               moved.data(),
+                               excess.data());
+        continue;
+      }
+#endif
       for (Eigen::Index r = 0; r < size; r += Rows::SizeAtCompileTime) {
         Rows sum_0 = Rows::Constant(squared_norms[g][0]);
         Rows sum_1 = Rows::Constant(squared_norms[g][1]);

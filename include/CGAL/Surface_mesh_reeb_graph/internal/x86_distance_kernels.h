@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_X86_DISTANCE_KERNELS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_X86_DISTANCE_KERNELS_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/x86_kernels.h>
+
+#include <cstddef>
+
+// Sums over the columns of a matrix, for processors with AVX2 and FMA, and for those with AVX-512; see x86_kernels.h.
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+
+namespace x86 {
+
+// Four columns of a matrix, a factor for each, and a point.
+template <class Number>
+struct Columns
+{
+  const Number* begin[4];
+  double factors[4], point[4];
+};
+
+// Four points, by coordinates, and the squares of their norms.
+struct Sources
+{
+  static constexpr std::ptrdiff_t rows = 120; // of the blocks that they are multiplied with
+  std::ptrdiff_t dimension;
+  const double* coordinates;
+  const double* squared_norms;
+};
+
+} // namespace x86
+
+// `add_squares()` adds to the sum of every row the squares of its differences to the point, multiplied with the factors,
+// and returns the first row left out. `take_largest_sums()` raises the entry of every row `x` of a block to the
+// largest of the four sums of squared norm and scalar product.
+
+namespace avx2 {
+
+__attribute__((target("avx2,fma"))) inline __m256d load(const double* x)
+{
+  return _mm256_loadu_pd(x);
+}
+
+__attribute__((target("avx2,fma"))) inline __m256d load(const float* x)
+{
+  return _mm256_cvtps_pd(_mm_loadu_ps(x));
+}
+
+template <class Number>
+__attribute__((target("avx2,fma"))) inline std::ptrdiff_t
+add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
+{
+  const __m256d p0 = _mm256_set1_pd(columns.point[0]), p1 = _mm256_set1_pd(columns.point[1]),
+                p2 = _mm256_set1_pd(columns.point[2]), p3 = _mm256_set1_pd(columns.point[3]);
+  const __m256d f0 = _mm256_set1_pd(columns.factors[0]), f1 = _mm256_set1_pd(columns.factors[1]),
+                f2 = _mm256_set1_pd(columns.factors[2]), f3 = _mm256_set1_pd(columns.factors[3]);
+  std::ptrdiff_t row = 0;
+  for (; row + 4 <= rows; row += 4) {
+    const __m256d d0 = _mm256_mul_pd(f0, _mm256_sub_pd(load(columns.begin[0] + row), p0));
+    const __m256d d1 = _mm256_mul_pd(f1, _mm256_sub_pd(load(columns.begin[1] + row), p1));
+    const __m256d d2 = _mm256_mul_pd(f2, _mm256_sub_pd(load(columns.begin[2] + row), p2));
+    const __m256d d3 = _mm256_mul_pd(f3, _mm256_sub_pd(load(columns.begin[3] + row), p3));
+    __m256d sum = _mm256_fmadd_pd(d0, d0, load(sums + row));
+    sum = _mm256_fmadd_pd(d1, d1, sum);
+    sum = _mm256_fmadd_pd(d2, d2, sum);
+    _mm256_storeu_pd(sums + row, _mm256_fmadd_pd(d3, d3, sum));
+  }
+  return row;
+}
+
+__attribute__((target("avx2,fma"))) inline void
+take_largest_sums(const x86::Sources& sources, const double* x, double* largest)
+{
+  for (std::ptrdiff_t row = 0; row < x86::Sources::rows; row += 12) {
+    __m256d s[4][3];
+    for (int j = 0; j < 4; ++j)
+      s[j][0] = s[j][1] = s[j][2] = _mm256_set1_pd(sources.squared_norms[j]);
+    for (std::ptrdiff_t i = 0; i < sources.dimension; ++i) {
+      const double* const column = x + i * x86::Sources::rows + row;
+      const __m256d x0 = load(column), x1 = load(column + 4), x2 = load(column + 8);
+      for (int j = 0; j < 4; ++j) {
+        const __m256d y = _mm256_set1_pd(sources.coordinates[4 * i + j]);
+        s[j][0] = _mm256_fmadd_pd(x0, y, s[j][0]);
+        s[j][1] = _mm256_fmadd_pd(x1, y, s[j][1]);
+        s[j][2] = _mm256_fmadd_pd(x2, y, s[j][2]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      double* const place = largest + row + 4 * k;
+      const __m256d of_sources =
+          _mm256_max_pd(_mm256_max_pd(s[0][k], s[1][k]), _mm256_max_pd(s[2][k], s[3][k]));
+      _mm256_storeu_pd(place, _mm256_max_pd(load(place), of_sources));
+    }
+  }
+}
+
+} // namespace avx2
+
+namespace avx512 {
+
+// With masks, since compilers of the GNU family before version 13 warn of their own functions without.
+__attribute__((target("avx512f"))) inline __m512d load(const double* x)
+{
+  return _mm512_loadu_pd(x);
+}
+
+__attribute__((target("avx512f"))) inline __m512d load(const float* x)
+{
+  return _mm512_maskz_cvtps_pd(0xff, _mm256_loadu_ps(x));
+}
+
+__attribute__((target("avx512f"))) inline __m512d larger(__m512d x, __m512d y)
+{
+  return _mm512_maskz_max_pd(0xff, x, y);
+}
+
+template <class Number>
+__attribute__((target("avx512f"))) inline std::ptrdiff_t
+add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
+{
+  const __m512d p0 = _mm512_set1_pd(columns.point[0]), p1 = _mm512_set1_pd(columns.point[1]),
+                p2 = _mm512_set1_pd(columns.point[2]), p3 = _mm512_set1_pd(columns.point[3]);
+  const __m512d f0 = _mm512_set1_pd(columns.factors[0]), f1 = _mm512_set1_pd(columns.factors[1]),
+                f2 = _mm512_set1_pd(columns.factors[2]), f3 = _mm512_set1_pd(columns.factors[3]);
+  std::ptrdiff_t row = 0;
+  for (; row + 8 <= rows; row += 8) {
+    const __m512d d0 = _mm512_mul_pd(f0, _mm512_sub_pd(load(columns.begin[0] + row), p0));
+    const __m512d d1 = _mm512_mul_pd(f1, _mm512_sub_pd(load(columns.begin[1] + row), p1));
+    const __m512d d2 = _mm512_mul_pd(f2, _mm512_sub_pd(load(columns.begin[2] + row), p2));
+    const __m512d d3 = _mm512_mul_pd(f3, _mm512_sub_pd(load(columns.begin[3] + row), p3));
+    __m512d sum = _mm512_fmadd_pd(d0, d0, load(sums + row));
+    sum = _mm512_fmadd_pd(d1, d1, sum);
+    sum = _mm512_fmadd_pd(d2, d2, sum);
+    _mm512_storeu_pd(sums + row, _mm512_fmadd_pd(d3, d3, sum));
+  }
+  return row;
+}
+
+__attribute__((target("avx512f"))) inline void
+take_largest_sums(const x86::Sources& sources, const double* x, double* largest)
+{
+  for (std::ptrdiff_t row = 0; row < x86::Sources::rows; row += 24) {
+    __m512d s[4][3];
+    for (int j = 0; j < 4; ++j)
+      s[j][0] = s[j][1] = s[j][2] = _mm512_set1_pd(sources.squared_norms[j]);
+    for (std::ptrdiff_t i = 0; i < sources.dimension; ++i) {
+      const double* const column = x + i * x86::Sources::rows + row;
+      const __m512d x0 = load(column), x1 = load(column + 8), x2 = load(column + 16);
+      for (int j = 0; j < 4; ++j) {
+        const __m512d y = _mm512_set1_pd(sources.coordinates[4 * i + j]);
+        s[j][0] = _mm512_fmadd_pd(x0, y, s[j][0]);
+        s[j][1] = _mm512_fmadd_pd(x1, y, s[j][1]);
+        s[j][2] = _mm512_fmadd_pd(x2, y, s[j][2]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      double* const place = largest + row + 8 * k;
+      const __m512d of_sources = larger(larger(s[0][k], s[1][k]), larger(s[2][k], s[3][k]));
+      _mm512_storeu_pd(place, larger(load(place), of_sources));
+    }
+  }
+}
+
+} // namespace avx512
+
+namespace x86 {
+
+template <class Number>
+std::ptrdiff_t add_squares(const Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
+{
+  return has_avx512() ? avx512::add_squares(columns, rows, sums)
+                      : avx2::add_squares(columns, rows, sums);
+}
+
+inline void take_largest_sums(const Sources& sources, const double* x, double* largest)
+{
+  if (has_avx512())
+    avx512::take_largest_sums(sources, x, largest);
+  else
+    avx2::take_largest_sums(sources, x, largest);
+}
+
+} // namespace x86
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_X86_DISTANCE_KERNELS_H
