@@ -35,14 +35,14 @@ void write_distances(const Eigenbasis& basis,
 {
   const std::size_t source_component = basis.component(source);
   const auto& b = basis.basis(source_component);
-  const Eigen::VectorXd squared =
-      largest_squared_distances(b.eigenfunctions, factors, {basis.position(source)});
+  const Eigen::VectorXd relative =
+      largest_squared_distances(b.eigenfunctions, factors, {basis.position(source)}).cwiseSqrt();
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     const auto& component_vertices = basis.component_vertices(c);
     for (std::size_t i = 0; i < component_vertices.size(); ++i)
       put(distances,
           component_vertices[i],
-          c == source_component ? scale * std::sqrt(squared[static_cast<Eigen::Index>(i)])
+          c == source_component ? scale * relative[static_cast<Eigen::Index>(i)]
                                 : (std::numeric_limits<double>::infinity)());
   }
 }

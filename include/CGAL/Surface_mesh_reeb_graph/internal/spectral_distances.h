@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_DISTANCES_H
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/prefetch.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/x86_distance_kernels.h>
 
 #include <Eigen/Core>
@@ -88,22 +89,25 @@ void squared_distances(const Matrix& eigenfunctions,
              point[i]))
         .square();
   };
-  // Four columns at once, so that the sums are not fetched and stored for every one.
+  // Some columns at once, so that the sums are not fetched and stored for every one.
   result.setZero();
   Eigen::Index i = 0;
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
   if (x86::has_kernels()) {
-    for (; i + 4 <= factors.size(); i += 4) {
-      x86::Columns<typename Matrix::Scalar> columns;
-      for (Eigen::Index k = 0; k < 4; ++k) {
-        columns.begin[k] = &eigenfunctions.coeffRef(begin, i + k);
-        columns.factors[k] = factors[i + k];
-        columns.point[k] = point[i + k];
+    using Columns = x86::Columns<typename Matrix::Scalar>;
+    for (; i < factors.size(); i += Columns::number) {
+      Columns columns;
+      for (Eigen::Index k = 0; k < Columns::number; ++k) {
+        const Eigen::Index column = (std::min)(i + k, factors.size() - 1);
+        columns.begin[k] = &eigenfunctions.coeffRef(begin, column);
+        columns.factors[k] = i + k < factors.size() ? factors[column] : 0.;
+        columns.point[k] = point[column];
       }
       const Eigen::Index first_left_out = x86::add_squares(columns, result.size(), result.data());
       for (Eigen::Index row = first_left_out; row < result.size(); ++row)
-        for (Eigen::Index k = 0; k < 4; ++k) {
-          const double difference = factors[i + k] * (double(columns.begin[k][row]) - point[i + k]);
+        for (Eigen::Index k = 0; k < Columns::number; ++k) {
+          const double difference =
+              columns.factors[k] * (double(columns.begin[k][row]) - columns.point[k]);
           result[row] += difference * difference;
         }
     }
@@ -121,7 +125,7 @@ Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
                                   const Eigen::RowVectorXd& point)
 {
   // The sums stay in the nearest cache, and the parts of the columns are so long that they are fetched in advance.
-  constexpr Eigen::Index rows_per_block = 2048;
+  constexpr Eigen::Index rows_per_block = 4096;
   Eigen::VectorXd result(eigenfunctions.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
     const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
@@ -182,6 +186,12 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     auto block = result.segment(begin, size).array();
     block.setZero();
     for (Eigen::Index i = 0; i < factors.size(); ++i) {
+      // the part that follows in the column: the parts are too short to be fetched in advance otherwise
+      constexpr Eigen::Index numbers_per_line =
+          64 / static_cast<Eigen::Index>(sizeof(typename Matrix::Scalar));
+      const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());
+      for (Eigen::Index r = begin + rows_per_block; r < end; r += numbers_per_line)
+        prefetch(&eigenfunctions.coeffRef(r, i));
       auto column = moved.col(i).head(size);
       column =
           factors[i] *

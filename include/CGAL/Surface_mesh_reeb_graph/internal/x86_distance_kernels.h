@@ -23,12 +23,13 @@ namespace internal {
 
 namespace x86 {
 
-// Four columns of a matrix, a factor for each, and a point.
+// Some columns of a matrix, a factor for each, and a point.
 template <class Number>
 struct Columns
 {
-  const Number* begin[4];
-  double factors[4], point[4];
+  static constexpr int number = 8;
+  const Number* begin[number];
+  double factors[number], point[number];
 };
 
 // Four points, by coordinates, and the squares of their norms.
@@ -64,18 +65,32 @@ add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* su
 {
   const __m256d p0 = _mm256_set1_pd(columns.point[0]), p1 = _mm256_set1_pd(columns.point[1]),
                 p2 = _mm256_set1_pd(columns.point[2]), p3 = _mm256_set1_pd(columns.point[3]);
+  const __m256d p4 = _mm256_set1_pd(columns.point[4]), p5 = _mm256_set1_pd(columns.point[5]),
+                p6 = _mm256_set1_pd(columns.point[6]), p7 = _mm256_set1_pd(columns.point[7]);
   const __m256d f0 = _mm256_set1_pd(columns.factors[0]), f1 = _mm256_set1_pd(columns.factors[1]),
                 f2 = _mm256_set1_pd(columns.factors[2]), f3 = _mm256_set1_pd(columns.factors[3]);
+  const __m256d f4 = _mm256_set1_pd(columns.factors[4]), f5 = _mm256_set1_pd(columns.factors[5]),
+                f6 = _mm256_set1_pd(columns.factors[6]), f7 = _mm256_set1_pd(columns.factors[7]);
   std::ptrdiff_t row = 0;
   for (; row + 4 <= rows; row += 4) {
+    __m256d sum = load(sums + row), other_sum = _mm256_setzero_pd();
     const __m256d d0 = _mm256_mul_pd(f0, _mm256_sub_pd(load(columns.begin[0] + row), p0));
+    sum = _mm256_fmadd_pd(d0, d0, sum);
     const __m256d d1 = _mm256_mul_pd(f1, _mm256_sub_pd(load(columns.begin[1] + row), p1));
+    other_sum = _mm256_fmadd_pd(d1, d1, other_sum);
     const __m256d d2 = _mm256_mul_pd(f2, _mm256_sub_pd(load(columns.begin[2] + row), p2));
-    const __m256d d3 = _mm256_mul_pd(f3, _mm256_sub_pd(load(columns.begin[3] + row), p3));
-    __m256d sum = _mm256_fmadd_pd(d0, d0, load(sums + row));
-    sum = _mm256_fmadd_pd(d1, d1, sum);
     sum = _mm256_fmadd_pd(d2, d2, sum);
-    _mm256_storeu_pd(sums + row, _mm256_fmadd_pd(d3, d3, sum));
+    const __m256d d3 = _mm256_mul_pd(f3, _mm256_sub_pd(load(columns.begin[3] + row), p3));
+    other_sum = _mm256_fmadd_pd(d3, d3, other_sum);
+    const __m256d d4 = _mm256_mul_pd(f4, _mm256_sub_pd(load(columns.begin[4] + row), p4));
+    sum = _mm256_fmadd_pd(d4, d4, sum);
+    const __m256d d5 = _mm256_mul_pd(f5, _mm256_sub_pd(load(columns.begin[5] + row), p5));
+    other_sum = _mm256_fmadd_pd(d5, d5, other_sum);
+    const __m256d d6 = _mm256_mul_pd(f6, _mm256_sub_pd(load(columns.begin[6] + row), p6));
+    sum = _mm256_fmadd_pd(d6, d6, sum);
+    const __m256d d7 = _mm256_mul_pd(f7, _mm256_sub_pd(load(columns.begin[7] + row), p7));
+    other_sum = _mm256_fmadd_pd(d7, d7, other_sum);
+    _mm256_storeu_pd(sums + row, _mm256_add_pd(sum, other_sum));
   }
   return row;
 }
@@ -132,18 +147,32 @@ add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* su
 {
   const __m512d p0 = _mm512_set1_pd(columns.point[0]), p1 = _mm512_set1_pd(columns.point[1]),
                 p2 = _mm512_set1_pd(columns.point[2]), p3 = _mm512_set1_pd(columns.point[3]);
+  const __m512d p4 = _mm512_set1_pd(columns.point[4]), p5 = _mm512_set1_pd(columns.point[5]),
+                p6 = _mm512_set1_pd(columns.point[6]), p7 = _mm512_set1_pd(columns.point[7]);
   const __m512d f0 = _mm512_set1_pd(columns.factors[0]), f1 = _mm512_set1_pd(columns.factors[1]),
                 f2 = _mm512_set1_pd(columns.factors[2]), f3 = _mm512_set1_pd(columns.factors[3]);
+  const __m512d f4 = _mm512_set1_pd(columns.factors[4]), f5 = _mm512_set1_pd(columns.factors[5]),
+                f6 = _mm512_set1_pd(columns.factors[6]), f7 = _mm512_set1_pd(columns.factors[7]);
   std::ptrdiff_t row = 0;
   for (; row + 8 <= rows; row += 8) {
+    __m512d sum = load(sums + row), other_sum = _mm512_setzero_pd();
     const __m512d d0 = _mm512_mul_pd(f0, _mm512_sub_pd(load(columns.begin[0] + row), p0));
+    sum = _mm512_fmadd_pd(d0, d0, sum);
     const __m512d d1 = _mm512_mul_pd(f1, _mm512_sub_pd(load(columns.begin[1] + row), p1));
+    other_sum = _mm512_fmadd_pd(d1, d1, other_sum);
     const __m512d d2 = _mm512_mul_pd(f2, _mm512_sub_pd(load(columns.begin[2] + row), p2));
-    const __m512d d3 = _mm512_mul_pd(f3, _mm512_sub_pd(load(columns.begin[3] + row), p3));
-    __m512d sum = _mm512_fmadd_pd(d0, d0, load(sums + row));
-    sum = _mm512_fmadd_pd(d1, d1, sum);
     sum = _mm512_fmadd_pd(d2, d2, sum);
-    _mm512_storeu_pd(sums + row, _mm512_fmadd_pd(d3, d3, sum));
+    const __m512d d3 = _mm512_mul_pd(f3, _mm512_sub_pd(load(columns.begin[3] + row), p3));
+    other_sum = _mm512_fmadd_pd(d3, d3, other_sum);
+    const __m512d d4 = _mm512_mul_pd(f4, _mm512_sub_pd(load(columns.begin[4] + row), p4));
+    sum = _mm512_fmadd_pd(d4, d4, sum);
+    const __m512d d5 = _mm512_mul_pd(f5, _mm512_sub_pd(load(columns.begin[5] + row), p5));
+    other_sum = _mm512_fmadd_pd(d5, d5, other_sum);
+    const __m512d d6 = _mm512_mul_pd(f6, _mm512_sub_pd(load(columns.begin[6] + row), p6));
+    sum = _mm512_fmadd_pd(d6, d6, sum);
+    const __m512d d7 = _mm512_mul_pd(f7, _mm512_sub_pd(load(columns.begin[7] + row), p7));
+    other_sum = _mm512_fmadd_pd(d7, d7, other_sum);
+    _mm512_storeu_pd(sums + row, _mm512_add_pd(sum, other_sum));
   }
   return row;
 }
