@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/farthest_pair.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/spectral_distances.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/x86_distance_kernels.h>
 #include <CGAL/Surface_mesh_reeb_graph/mapping_functions.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/spectral_distances.h>
@@ -272,6 +273,66 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(farthest_pair_is_that_of_all_pairs, Matrix, Matrix
         rounding);
   }
 }
+
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+
+// Those of all kinds that the processor has, not only of the best one.
+BOOST_AUTO_TEST_CASE_TEMPLATE(kernels_add_what_plain_loops_add, Matrix, Matrix_types)
+{
+  namespace internal = SMRG::internal;
+  using Columns = internal::x86::Columns<typename Matrix::Scalar>;
+  using internal::x86::Sources;
+  using Add_squares = std::ptrdiff_t (*)(const Columns&, std::ptrdiff_t, double*);
+  using Take_largest_sums = void (*)(const Sources&, const double*, double*);
+  std::vector<std::pair<Add_squares, Take_largest_sums>> kernels;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    kernels.emplace_back(internal::avx2::add_squares<typename Matrix::Scalar>,
+                         internal::avx2::take_largest_sums);
+  if (__builtin_cpu_supports("avx512f"))
+    kernels.emplace_back(internal::avx512::add_squares<typename Matrix::Scalar>,
+                         internal::avx512::take_largest_sums);
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Eigen::Index rows = static_cast<Eigen::Index>(random_index(40, rng)) + 1;
+      const Matrix matrix = random_matrix<Matrix>(rows, Columns::number, rng);
+      Columns columns;
+      Eigen::ArrayXd expected = Eigen::ArrayXd::Ones(rows);
+      for (Eigen::Index k = 0; k < Columns::number; ++k) {
+        columns.begin[k] = &matrix.coeffRef(0, k);
+        columns.factors[k] = random_unit(rng);
+        columns.point[k] = random_unit(rng);
+        expected += (columns.factors[k] *
+                     (matrix.col(k).array().template cast<double>() - columns.point[k]))
+                        .square();
+      }
+      const Eigen::Index dimension = static_cast<Eigen::Index>(random_index(9, rng));
+      const Eigen::MatrixXd coordinates = random_matrix<Eigen::MatrixXd>(4, dimension, rng),
+                            squared_norms = random_matrix<Eigen::MatrixXd>(4, 1, rng),
+                            block = random_matrix<Eigen::MatrixXd>(Sources::rows, dimension, rng);
+      const Eigen::ArrayXd of_sources =
+          ((block * coordinates.transpose()).rowwise() + squared_norms.col(0).transpose())
+              .rowwise()
+              .maxCoeff();
+      for (const auto& [add_squares, take_largest_sums] : kernels) {
+        Eigen::ArrayXd sums = Eigen::ArrayXd::Ones(rows);
+        const Eigen::Index end = add_squares(columns, rows, sums.data());
+        BOOST_TEST(end <= rows);
+        BOOST_TEST(end > rows - 8);
+        BOOST_TEST((sums.head(end) - expected.head(end)).abs().sum() < 1e-13);
+        BOOST_TEST((sums.tail(rows - end) == 1).all());
+
+        Eigen::ArrayXd largest = Eigen::ArrayXd::Zero(Sources::rows);
+        take_largest_sums(
+            {dimension, coordinates.data(), squared_norms.data()}, block.data(), largest.data());
+        BOOST_TEST((largest - of_sources.max(0.)).abs().maxCoeff() < 1e-14);
+      }
+    }
+  }
+}
+
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()
 
