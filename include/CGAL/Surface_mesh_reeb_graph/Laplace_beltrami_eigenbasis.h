@@ -79,7 +79,7 @@ tolerance, and the only null vector of every component is the constant one. `res
 `orthonormality_error()` and `null_space_residual()` tell what was found.
 
 **Memory.** With `float` as the number type of the eigenfunctions the basis takes half of the memory, and distances over
-the whole mesh about half of the time. All is computed in `double` nevertheless, and only the eigenfunctions are rounded
+the whole mesh take less time. All is computed in `double` nevertheless, and only the eigenfunctions are rounded
 in the end, each value by a relative error of `6e-8` at most; distances get an error of about `1e-7` times the
 largest one.
 

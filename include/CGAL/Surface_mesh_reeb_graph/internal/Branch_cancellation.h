@@ -38,7 +38,7 @@ namespace internal {
 //
 // What hangs on a branch would move from branch to branch, if one was zipped after the other. So only branches
 // that are single arcs are taken away one by one; then all others on a side are zipped at once, see
-// Zipped_branches. The pairs on the other side do not change thereby. All takes O(m log m) time for m nodes and arcs.
+// Branch_zipper. The pairs on the other side do not change thereby. All takes O(m log m) time for m nodes and arcs.
 //
 // Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that
 // it hung on, others to the points of the same height. (The end of a branch on which nothing hangs any more goes to

@@ -150,19 +150,17 @@ public:
     fate.arc = lower_arc;
     fate.upper_arc = upper_arc;
     fate.node = node;
-    m_heirs[arc] = {lower_arc, upper_arc};
     return {lower_arc, upper_arc};
   }
 
   // Removes a node that has no arcs any more.
   void remove_node(std::uint32_t node) { m_is_removed[node] = true; }
 
-  // A node with one arc below and one above is none: the two arcs become one. Returns that arc,
-  // or `no_arc` if the node is another one.
-  std::uint32_t pass_through_if_regular(std::uint32_t node)
+  // A node with one arc below and one above is none: the two arcs become one.
+  void pass_through_if_regular(std::uint32_t node)
   {
     if (m_is_removed[node] || number_of_arcs(BELOW, node) != 1 || number_of_arcs(ABOVE, node) != 1)
-      return no_arc;
+      return;
     m_is_removed[node] = true;
     const std::uint32_t below = first_arc(BELOW, node), above = first_arc(ABOVE, node);
     const std::uint32_t arc = add_arc({m_arcs[below].lower, m_arcs[above].upper});
@@ -170,7 +168,6 @@ public:
     glue(above, arc);
     set_heir(BELOW, below, arc);
     set_heir(ABOVE, above, arc);
-    return arc;
   }
 
 private:

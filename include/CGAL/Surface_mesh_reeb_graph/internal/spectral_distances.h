@@ -93,8 +93,8 @@ void squared_distances(const Matrix& eigenfunctions,
   result.setZero();
   Eigen::Index i = 0;
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  if (x86::has_kernels()) {
-    using Columns = x86::Columns<typename Matrix::Scalar>;
+  if (x86::has_avx2()) {
+    using Columns = avx2::Columns<typename Matrix::Scalar>;
     for (; i < factors.size(); i += Columns::number) {
       Columns columns;
       for (Eigen::Index k = 0; k < Columns::number; ++k) {
@@ -103,7 +103,7 @@ void squared_distances(const Matrix& eigenfunctions,
         columns.factors[k] = i + k < factors.size() ? factors[column] : 0.;
         columns.point[k] = point[column];
       }
-      const Eigen::Index first_left_out = x86::add_squares(columns, result.size(), result.data());
+      const Eigen::Index first_left_out = avx2::add_squares(columns, result.size(), result.data());
       for (Eigen::Index row = first_left_out; row < result.size(); ++row)
         for (Eigen::Index k = 0; k < Columns::number; ++k) {
           const double difference =
@@ -176,7 +176,7 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   // All columns of a block stay in the cache; by the odd number of cache lines they share no place in it.
   constexpr Eigen::Index rows_per_block = 120;
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  static_assert(rows_per_block == x86::Sources::rows, "the kernels take the same blocks");
+  static_assert(rows_per_block == avx2::Sources::rows, "the kernels take the same blocks");
 #endif
   Eigen::VectorXd result(eigenfunctions.rows());
   Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(rows_per_block, factors.size());
@@ -202,10 +202,10 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     using Rows = Eigen::Array<double, 4, 1>;
     for (std::size_t g = 0; g < number_of_groups; ++g) {
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-      if (x86::has_kernels()) {
-        x86::take_largest_sums({factors.size(), others[g].front().data(), squared_norms[g].data()},
-                               moved.data(),
-                               excess.data());
+      if (x86::has_avx2()) {
+        avx2::take_largest_sums({factors.size(), others[g].front().data(), squared_norms[g].data()},
+                                moved.data(),
+                                excess.data());
         continue;
       }
 #endif

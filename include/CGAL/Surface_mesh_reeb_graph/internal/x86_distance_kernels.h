@@ -13,7 +13,8 @@
 
 #include <cstddef>
 
-// Sums over the columns of a matrix, for processors with AVX2 and FMA, and for those with AVX-512; see x86_kernels.h.
+// Sums over the columns of a matrix, for processors with AVX2 and FMA; see x86_kernels.h. They wait for the memory or for the
+// cache: longer registers gain nothing.
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -21,7 +22,7 @@ namespace internal {
 
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
 
-namespace x86 {
+namespace avx2 {
 
 // Some columns of a matrix, a factor for each, and a point.
 template <class Number>
@@ -41,13 +42,9 @@ struct Sources
   const double* squared_norms;
 };
 
-} // namespace x86
-
 // `add_squares()` adds to the sum of every row the squares of its differences to the point, multiplied with the factors,
 // and returns the first row left out. `take_largest_sums()` raises the entry of every row `x` of a block to the
 // largest of the four sums of squared norm and scalar product.
-
-namespace avx2 {
 
 __attribute__((target("avx2,fma"))) inline __m256d load(const double* x)
 {
@@ -61,7 +58,7 @@ __attribute__((target("avx2,fma"))) inline __m256d load(const float* x)
 
 template <class Number>
 __attribute__((target("avx2,fma"))) inline std::ptrdiff_t
-add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
+add_squares(const Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
 {
   const __m256d p0 = _mm256_set1_pd(columns.point[0]), p1 = _mm256_set1_pd(columns.point[1]),
                 p2 = _mm256_set1_pd(columns.point[2]), p3 = _mm256_set1_pd(columns.point[3]);
@@ -96,14 +93,14 @@ add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* su
 }
 
 __attribute__((target("avx2,fma"))) inline void
-take_largest_sums(const x86::Sources& sources, const double* x, double* largest)
+take_largest_sums(const Sources& sources, const double* x, double* largest)
 {
-  for (std::ptrdiff_t row = 0; row < x86::Sources::rows; row += 12) {
+  for (std::ptrdiff_t row = 0; row < Sources::rows; row += 12) {
     __m256d s[4][3];
     for (int j = 0; j < 4; ++j)
       s[j][0] = s[j][1] = s[j][2] = _mm256_set1_pd(sources.squared_norms[j]);
     for (std::ptrdiff_t i = 0; i < sources.dimension; ++i) {
-      const double* const column = x + i * x86::Sources::rows + row;
+      const double* const column = x + i * Sources::rows + row;
       const __m256d x0 = load(column), x1 = load(column + 4), x2 = load(column + 8);
       for (int j = 0; j < 4; ++j) {
         const __m256d y = _mm256_set1_pd(sources.coordinates[4 * i + j]);
@@ -122,106 +119,6 @@ take_largest_sums(const x86::Sources& sources, const double* x, double* largest)
 }
 
 } // namespace avx2
-
-namespace avx512 {
-
-// With masks, since compilers of the GNU family before version 13 warn of their own functions without.
-__attribute__((target("avx512f"))) inline __m512d load(const double* x)
-{
-  return _mm512_loadu_pd(x);
-}
-
-__attribute__((target("avx512f"))) inline __m512d load(const float* x)
-{
-  return _mm512_maskz_cvtps_pd(0xff, _mm256_loadu_ps(x));
-}
-
-__attribute__((target("avx512f"))) inline __m512d larger(__m512d x, __m512d y)
-{
-  return _mm512_maskz_max_pd(0xff, x, y);
-}
-
-template <class Number>
-__attribute__((target("avx512f"))) inline std::ptrdiff_t
-add_squares(const x86::Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
-{
-  const __m512d p0 = _mm512_set1_pd(columns.point[0]), p1 = _mm512_set1_pd(columns.point[1]),
-                p2 = _mm512_set1_pd(columns.point[2]), p3 = _mm512_set1_pd(columns.point[3]);
-  const __m512d p4 = _mm512_set1_pd(columns.point[4]), p5 = _mm512_set1_pd(columns.point[5]),
-                p6 = _mm512_set1_pd(columns.point[6]), p7 = _mm512_set1_pd(columns.point[7]);
-  const __m512d f0 = _mm512_set1_pd(columns.factors[0]), f1 = _mm512_set1_pd(columns.factors[1]),
-                f2 = _mm512_set1_pd(columns.factors[2]), f3 = _mm512_set1_pd(columns.factors[3]);
-  const __m512d f4 = _mm512_set1_pd(columns.factors[4]), f5 = _mm512_set1_pd(columns.factors[5]),
-                f6 = _mm512_set1_pd(columns.factors[6]), f7 = _mm512_set1_pd(columns.factors[7]);
-  std::ptrdiff_t row = 0;
-  for (; row + 8 <= rows; row += 8) {
-    __m512d sum = load(sums + row), other_sum = _mm512_setzero_pd();
-    const __m512d d0 = _mm512_mul_pd(f0, _mm512_sub_pd(load(columns.begin[0] + row), p0));
-    sum = _mm512_fmadd_pd(d0, d0, sum);
-    const __m512d d1 = _mm512_mul_pd(f1, _mm512_sub_pd(load(columns.begin[1] + row), p1));
-    other_sum = _mm512_fmadd_pd(d1, d1, other_sum);
-    const __m512d d2 = _mm512_mul_pd(f2, _mm512_sub_pd(load(columns.begin[2] + row), p2));
-    sum = _mm512_fmadd_pd(d2, d2, sum);
-    const __m512d d3 = _mm512_mul_pd(f3, _mm512_sub_pd(load(columns.begin[3] + row), p3));
-    other_sum = _mm512_fmadd_pd(d3, d3, other_sum);
-    const __m512d d4 = _mm512_mul_pd(f4, _mm512_sub_pd(load(columns.begin[4] + row), p4));
-    sum = _mm512_fmadd_pd(d4, d4, sum);
-    const __m512d d5 = _mm512_mul_pd(f5, _mm512_sub_pd(load(columns.begin[5] + row), p5));
-    other_sum = _mm512_fmadd_pd(d5, d5, other_sum);
-    const __m512d d6 = _mm512_mul_pd(f6, _mm512_sub_pd(load(columns.begin[6] + row), p6));
-    sum = _mm512_fmadd_pd(d6, d6, sum);
-    const __m512d d7 = _mm512_mul_pd(f7, _mm512_sub_pd(load(columns.begin[7] + row), p7));
-    other_sum = _mm512_fmadd_pd(d7, d7, other_sum);
-    _mm512_storeu_pd(sums + row, _mm512_add_pd(sum, other_sum));
-  }
-  return row;
-}
-
-__attribute__((target("avx512f"))) inline void
-take_largest_sums(const x86::Sources& sources, const double* x, double* largest)
-{
-  for (std::ptrdiff_t row = 0; row < x86::Sources::rows; row += 24) {
-    __m512d s[4][3];
-    for (int j = 0; j < 4; ++j)
-      s[j][0] = s[j][1] = s[j][2] = _mm512_set1_pd(sources.squared_norms[j]);
-    for (std::ptrdiff_t i = 0; i < sources.dimension; ++i) {
-      const double* const column = x + i * x86::Sources::rows + row;
-      const __m512d x0 = load(column), x1 = load(column + 8), x2 = load(column + 16);
-      for (int j = 0; j < 4; ++j) {
-        const __m512d y = _mm512_set1_pd(sources.coordinates[4 * i + j]);
-        s[j][0] = _mm512_fmadd_pd(x0, y, s[j][0]);
-        s[j][1] = _mm512_fmadd_pd(x1, y, s[j][1]);
-        s[j][2] = _mm512_fmadd_pd(x2, y, s[j][2]);
-      }
-    }
-    for (int k = 0; k < 3; ++k) {
-      double* const place = largest + row + 8 * k;
-      const __m512d of_sources = larger(larger(s[0][k], s[1][k]), larger(s[2][k], s[3][k]));
-      _mm512_storeu_pd(place, larger(load(place), of_sources));
-    }
-  }
-}
-
-} // namespace avx512
-
-namespace x86 {
-
-template <class Number>
-std::ptrdiff_t add_squares(const Columns<Number>& columns, std::ptrdiff_t rows, double* sums)
-{
-  return has_avx512() ? avx512::add_squares(columns, rows, sums)
-                      : avx2::add_squares(columns, rows, sums);
-}
-
-inline void take_largest_sums(const Sources& sources, const double* x, double* largest)
-{
-  if (has_avx512())
-    avx512::take_largest_sums(sources, x, largest);
-  else
-    avx2::take_largest_sums(sources, x, largest);
-}
-
-} // namespace x86
 
 #endif // CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
 

@@ -506,11 +506,15 @@ inline bool has_avx512()
   return result;
 }
 
+inline bool has_avx2()
+{
+  static const bool result = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return result;
+}
+
 inline bool has_kernels()
 {
-  static const bool result =
-      has_avx512() || (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"));
-  return result;
+  return has_avx512() || has_avx2();
 }
 
 inline void add_transposed_product(const double* v, const double* w, std::ptrdiff_t rows, double* c)
