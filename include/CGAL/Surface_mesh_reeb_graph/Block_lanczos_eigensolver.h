@@ -313,10 +313,11 @@ private:
         m_projected.topLeftCorner(size, size));
     if (solver.info() != Eigen::Success)
       throw Reeb_graph_error("the eigenvalues of the projected matrix did not converge");
-    m_ritz_values = solver.eigenvalues().reverse();
-    m_ritz_vectors = solver.eigenvectors().rowwise().reverse();
-    m_ritz_couplings =
-        m_projected.bottomLeftCorner(m_projected.rows() - size, size) * m_ritz_vectors;
+    // new matrices, since Eigen's frees its memory again if there is none for another size
+    m_ritz_values = Eigen::VectorXd(solver.eigenvalues().reverse());
+    m_ritz_vectors = Eigen::MatrixXd(solver.eigenvectors().rowwise().reverse());
+    m_ritz_couplings = Eigen::MatrixXd(
+        m_projected.bottomLeftCorner(m_projected.rows() - size, size) * m_ritz_vectors);
   }
 
   Eigen::Index number_converged() const
@@ -347,11 +348,11 @@ private:
     m_ritz_couplings.conservativeResize(Eigen::NoChange, kept);
     m_basis.multiply_from_right(m_ritz_vectors);
     m_processed = blocks;
-    m_projected.setZero(kept + pending, kept + pending);
+    m_projected = Eigen::MatrixXd(Eigen::MatrixXd::Zero(kept + pending, kept + pending));
     m_projected.diagonal().head(kept) = m_ritz_values;
     m_projected.bottomLeftCorner(pending, kept) = m_ritz_couplings;
     m_projected.topRightCorner(kept, pending) = m_ritz_couplings.transpose();
-    m_ritz_vectors.setIdentity(kept, kept);
+    m_ritz_vectors = Eigen::MatrixXd(Eigen::MatrixXd::Identity(kept, kept));
   }
 
   // Whether no eigenvalue is missing among those found, which have all converged.

@@ -145,6 +145,8 @@ OutputIterator feature_points(
   internal::check_diffusion_time(small_time);
   internal::check_diffusion_time(large_time);
 
+  // all of them before anything is written
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> points;
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     if (basis.number_of_eigenpairs(c) == 0)
       continue;
@@ -161,9 +163,9 @@ OutputIterator feature_points(
       internal::add_local_maxima(basis, c, distances, candidates);
     }
     for (std::size_t i : internal::without_neighbors(basis, c, std::move(candidates)))
-      *out++ = basis.component_vertices(c)[i];
+      points.push_back(basis.component_vertices(c)[i]);
   }
-  return out;
+  return std::copy(points.begin(), points.end(), out);
 }
 
 } // namespace Surface_mesh_reeb_graph

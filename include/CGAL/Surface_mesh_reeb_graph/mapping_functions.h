@@ -161,14 +161,18 @@ void commute_time_function(
   for (auto v : points)
     sources[basis.component(v)].push_back(basis.position(v));
 
+  std::vector<Eigen::VectorXd> distances; // all of them before anything is written
   for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     const auto& b = basis.basis(c);
+    distances.push_back(
+        (b.area * internal::largest_squared_distances(
+                      b.eigenfunctions, internal::commute_time_factors(b.eigenvalues), sources[c]))
+            .cwiseSqrt());
+  }
+  for (std::size_t c = 0; c < basis.number_of_components(); ++c) {
     const auto& component_vertices = basis.component_vertices(c);
-    const Eigen::VectorXd squared =
-        b.area * internal::largest_squared_distances(
-                     b.eigenfunctions, internal::commute_time_factors(b.eigenvalues), sources[c]);
     for (std::size_t i = 0; i < component_vertices.size(); ++i)
-      put(values, component_vertices[i], std::sqrt(squared[static_cast<Eigen::Index>(i)]));
+      put(values, component_vertices[i], distances[c][static_cast<Eigen::Index>(i)]);
   }
 }
 

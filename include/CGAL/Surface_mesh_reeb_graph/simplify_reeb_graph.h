@@ -110,15 +110,30 @@ void check_arc_numbers(const Range& keys,
   }
 }
 
-// Replaces the number of the arc of every vertex or face that has one.
+// The new number of the arc of every vertex or face, `no_arc` for those that have none, in the order of the range.
 template <class Range, class ArcMap, class NewArc>
-void update_arc_numbers(const Range& keys, ArcMap arc_map, const NewArc& new_arc)
+std::vector<std::uint32_t> new_arc_numbers(const Range& keys, ArcMap arc_map, const NewArc& new_arc)
 {
   using Number = typename boost::property_traits<ArcMap>::value_type;
+  std::vector<std::uint32_t> result;
   for (const auto key : CGAL::make_range(keys)) {
     const Number arc = get(arc_map, key);
-    if (arc != static_cast<Number>(null_arc))
-      put(arc_map, key, static_cast<Number>(new_arc(key, static_cast<std::size_t>(arc))));
+    result.push_back(arc == static_cast<Number>(null_arc)
+                         ? no_arc
+                         : new_arc(key, static_cast<std::size_t>(arc)));
+  }
+  return result;
+}
+
+template <class Range, class ArcMap>
+void write_arc_numbers(const Range& keys, const std::vector<std::uint32_t>& numbers, ArcMap arc_map)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  auto number = numbers.begin();
+  for (const auto key : CGAL::make_range(keys)) {
+    if (*number != no_arc)
+      put(arc_map, key, static_cast<Number>(*number));
+    ++number;
   }
 }
 
@@ -300,7 +315,8 @@ long as the vertices lie between the ends of the arcs that they go to.
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
         the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph and maps
-        do not belong together; `graph` and the maps are then left as they were
+        do not belong together; `graph` and the maps are then left as they were. (If there is not enough memory,
+        `std::bad_alloc` is thrown, and the maps are left as they were, the graph too or empty.)
 
 \sa `compute_reeb_graph()`
 \sa `persistence_pairs()`
@@ -344,6 +360,8 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
     remaining_nodes.push_back(nodes[node]);
   std::vector<Arc> remaining_arcs(remaining.arcs.size());
 
+  // before anything is written
+  [[maybe_unused]] std::vector<std::uint32_t> vertex_arcs, face_arcs;
   const bool has_arc_vertices =
       std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
   if (has_arc_vertices || has_vertex_arc_map || has_face_arc_map) {
@@ -367,7 +385,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       if (arc == internal::no_arc)
         arc = remaining.first_arc_of_node[i];
     }
-    const auto new_arc = [&](vertex_descriptor v, std::size_t arc) -> std::size_t {
+    const auto new_arc = [&](vertex_descriptor v, std::size_t arc) {
       const std::uint32_t arc_of_node = arc_of_node_vertex[get(vertex_index_map, v)];
       return arc_of_node == internal::no_arc ? arc_after(v, arc) : arc_of_node;
     };
@@ -391,16 +409,17 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
         std::sort(arc.vertices.begin(), arc.vertices.end(), order);
     }
     if constexpr (has_vertex_arc_map)
-      internal::update_arc_numbers(vertices(tmesh),
-                                   internal::get_own_parameter(np, internal::tags::vertex_arc_map),
-                                   new_arc);
+      vertex_arcs =
+          internal::new_arc_numbers(vertices(tmesh),
+                                    internal::get_own_parameter(np, internal::tags::vertex_arc_map),
+                                    new_arc);
     if constexpr (has_face_arc_map)
-      internal::update_arc_numbers(faces(tmesh),
-                                   internal::get_own_parameter(np, internal::tags::face_arc_map),
-                                   [&](face_descriptor f, std::size_t arc) -> std::size_t {
-                                     return arc_after(internal::middle_vertex(f, tmesh, order),
-                                                      arc);
-                                   });
+      face_arcs = internal::new_arc_numbers(
+          faces(tmesh),
+          internal::get_own_parameter(np, internal::tags::face_arc_map),
+          [&](face_descriptor f, std::size_t arc) {
+            return arc_after(internal::middle_vertex(f, tmesh, order), arc);
+          });
   }
   internal::write_graph(
       graph,
@@ -408,6 +427,14 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       remaining.arcs,
       [&](std::size_t i) { return std::move(remaining_nodes[i]); },
       [&](std::size_t i) { return std::move(remaining_arcs[i]); });
+  // nothing can fail any more
+  if constexpr (has_vertex_arc_map)
+    internal::write_arc_numbers(vertices(tmesh),
+                                vertex_arcs,
+                                internal::get_own_parameter(np, internal::tags::vertex_arc_map));
+  if constexpr (has_face_arc_map)
+    internal::write_arc_numbers(
+        faces(tmesh), face_arcs, internal::get_own_parameter(np, internal::tags::face_arc_map));
 }
 
 } // namespace Surface_mesh_reeb_graph

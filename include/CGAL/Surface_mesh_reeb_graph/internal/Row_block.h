@@ -158,13 +158,13 @@ inline Block_coefficients multiply_from_right(Row_block& w, const Block_coeffici
 {
   const Block_coefficients minus_c = -c;
   Block_coefficients square = Block_coefficients::Zero();
-  Row_block product;
+  Row_block product((std::min)(rows_in_cache, w.rows()), block_width);
   for (Eigen::Index row = 0; row < w.rows(); row += rows_in_cache) {
     auto part = w.middleRows(row, (std::min)(rows_in_cache, w.rows() - row));
-    product.setZero(part.rows(), block_width);
+    product.setZero();
     subtract_product(product.data(), w.data() + block_width * row, part.rows(), minus_c);
     add_transposed_product(product.data(), product.data(), part.rows(), square);
-    part = product;
+    part = product.topRows(part.rows());
   }
   return square;
 }
@@ -274,11 +274,12 @@ public:
             -q.block<block_width, block_width>(block_width * static_cast<Eigen::Index>(i),
                                                block_width * static_cast<Eigen::Index>(j)));
     const Eigen::Index n = m_blocks.front().rows();
-    std::vector<Row_block> products(number_of_products);
+    std::vector<Row_block> products(number_of_products,
+                                    Row_block((std::min)(rows_in_cache, n), block_width));
     for (Eigen::Index row = 0; row < n; row += rows_in_cache) {
       const Eigen::Index size = (std::min)(rows_in_cache, n - row);
       for (std::size_t j = 0; j < number_of_products; ++j)
-        products[j].setZero(size, block_width);
+        products[j].setZero();
       for (std::size_t j = 0; j < number_of_products; j += 2) {
         for (std::size_t i = 0; i < number; ++i) {
           const double* const v = m_blocks[i].data() + block_width * row;
@@ -295,7 +296,7 @@ public:
         }
       }
       for (std::size_t j = 0; j < number_of_products; ++j)
-        m_blocks[j].middleRows(row, size) = products[j];
+        m_blocks[j].middleRows(row, size) = products[j].topRows(size);
     }
     erase(static_cast<Eigen::Index>(number_of_products), static_cast<Eigen::Index>(number));
   }
