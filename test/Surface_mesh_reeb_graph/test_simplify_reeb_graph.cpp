@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/close_loops.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 
@@ -126,7 +126,7 @@ bool close_loops(SMRG::internal::Folded_graph& folded,
                  const std::vector<double>& values,
                  const double threshold)
 {
-  return SMRG::internal::Loop_closing(folded).run([&](const SMRG::internal::Loop_pair& loop) {
+  return SMRG::internal::close_loops(folded, true, [&](const SMRG::internal::Loop_pair& loop) {
     return values[loop.merge] - values[loop.split] < threshold;
   });
 }
@@ -837,6 +837,96 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
     for (std::size_t k = 0; k < 1 + i % 2; ++k)
       arcs.emplace_back(i, i + 1);
   BOOST_TEST((simplified(n, arcs) == one_arc));
+}
+
+// Long cycles side by side, with something that stays on all of their nodes: if every node of every cycle was passed, or
+// every arc was cut into pieces one after the other, these would take hours, too. The points of all arcs are asked for
+// at some heights, those of the longest arc at all.
+BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
+{
+  const std::size_t n = 100000;
+  // all graphs are connected, and trees are left; returns how many nodes
+  const auto number_of_nodes_left = [](const std::size_t number_of_nodes,
+                                       const std::vector<Rank_pair>& arcs) {
+    std::vector<double> values(number_of_nodes);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<double>(i);
+    SMRG::internal::Folded_graph folded(number_of_nodes, arc_ends_of(make_graph(values, arcs)));
+    close_loops(folded, values, infinity);
+    const Left left = left_of(folded);
+    BOOST_TEST(left.arcs.size() + 1 == left.nodes.size());
+
+    SMRG::internal::Arc_images images(folded);
+    std::mt19937 rng(1);
+    std::size_t number_of_wrong_heights = 0;
+    const auto check_point = [&](const std::size_t arc, const std::size_t node) {
+      const std::uint32_t image = images.arc_after(
+          static_cast<std::uint32_t>(arc), [&](const std::uint32_t other) { return node < other; });
+      const Arc_ends& ends = folded.arcs()[image];
+      number_of_wrong_heights +=
+          folded.is_arc(image) && ends.lower <= node && node < ends.upper ? 0 : 1;
+    };
+    for (std::size_t arc = 0; arc < arcs.size(); ++arc)
+      for (std::size_t i = 0; i < 3; ++i)
+        check_point(arc, arcs[arc].first + random_index(arcs[arc].second - arcs[arc].first, rng));
+    const auto is_shorter = [](const Rank_pair& a, const Rank_pair& b) {
+      return a.second - a.first < b.second - b.first;
+    };
+    const auto longest = std::max_element(arcs.begin(), arcs.end(), is_shorter);
+    for (std::size_t node = longest->first; node < longest->second; ++node)
+      check_point(static_cast<std::size_t>(longest - arcs.begin()), node);
+    BOOST_TEST(number_of_wrong_heights == 0u);
+    return left.nodes.size();
+  };
+  // arcs to minima below the nodes 0, 1, ..., or to maxima above them, and some arcs from a node to another
+  const auto hang_on = [](std::vector<Rank_pair>& arcs,
+                          const std::size_t first_node,
+                          const std::size_t number,
+                          const std::size_t first_extremum) {
+    for (std::size_t i = 0; i < number; ++i)
+      arcs.emplace_back((std::minmax)(first_node + i, first_extremum + i));
+  };
+  const auto put_side_by_side = [](std::vector<Rank_pair>& arcs,
+                                   const std::size_t number,
+                                   const std::size_t lower,
+                                   const std::size_t upper) {
+    arcs.insert(arcs.end(), number, {lower, upper});
+  };
+
+  std::vector<Rank_pair> arcs; // a path upwards
+  for (std::size_t i = 0; i <= n; ++i)
+    arcs.emplace_back(i, i + 1);
+  hang_on(arcs, 1, n, n + 2);
+  put_side_by_side(arcs, n, 0, n + 1);
+  BOOST_TEST(number_of_nodes_left(2 * n + 2, arcs) == 2 * n + 2);
+
+  arcs = {{0, 1}, {0, 2}}; // two paths upwards, one with the odd nodes and one with the even ones
+  for (std::size_t i = 1; i <= n; ++i)
+    arcs.emplace_back(i, (std::min)(i + 2, n + 1));
+  hang_on(arcs, 1, n, n + 2);
+  put_side_by_side(arcs, n, 0, n + 1);
+  BOOST_TEST(number_of_nodes_left(2 * n + 2, arcs) == 2 * n + 2);
+
+  // a path from n up to 2 n + 1, down to n + 1, and so on, at last to 3 n + 1, with minima below its valleys and maxima
+  // above its peaks; what is left are these, both ends, and the valleys, from which the peaks rise now
+  arcs = {{n, 2 * n + 1}, {3 * n + 1, 3 * n + 2}};
+  for (std::size_t i = 0; i < n; ++i) {
+    arcs.emplace_back(n + 1 + i, 2 * n + 1 + i);
+    arcs.emplace_back(n + 1 + i, 2 * n + 2 + i);
+  }
+  hang_on(arcs, n + 1, n, 0);
+  hang_on(arcs, 2 * n + 1, n, 3 * n + 3);
+  put_side_by_side(arcs, n, n, 3 * n + 1);
+  BOOST_TEST(number_of_nodes_left(4 * n + 3, arcs) == 3 * n + 2);
+
+  arcs.clear(); // arcs of very different lengths between random nodes
+  std::mt19937 rng(1);
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double length = std::exp(random_unit(rng) * std::log(static_cast<double>(n)));
+      arcs.emplace_back(i, (std::min)(n - 1, i + 1 + static_cast<std::size_t>(length)));
+    }
+  BOOST_TEST(number_of_nodes_left(n, arcs) <= n);
 }
 
 BOOST_AUTO_TEST_CASE(bad_thresholds_are_errors_and_change_nothing)

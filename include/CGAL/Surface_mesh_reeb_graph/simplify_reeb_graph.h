@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/close_loops.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
@@ -141,10 +141,16 @@ void write_arc_numbers(const Range& keys, const std::vector<std::uint32_t>& numb
 class Simplification
 {
 public:
+  // `remembers_arcs`: whether the folded graph is asked afterwards what became of the arcs.
   Simplification(const std::vector<double>& values,
                  const std::vector<Arc_ends>& ends,
-                 const Simplification_parameters& parameters)
-    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
+                 const Simplification_parameters& parameters,
+                 bool remembers_arcs)
+    : m_values(values)
+    , m_ends(ends)
+    , m_parameters(parameters)
+    , m_remembers_arcs(remembers_arcs)
+    , m_folded(values, ends)
   {}
 
   Branch_cancellation& folded_graph() { return m_folded; }
@@ -167,7 +173,7 @@ private:
   bool close_loops()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
-    return Loop_closing(m_folded).run([&](const Loop_pair& loop) {
+    return internal::close_loops(m_folded, m_remembers_arcs, [&](const Loop_pair& loop) {
       return persistence_between(m_values[loop.split], m_values[loop.merge]) <
              thresholds[loop.merge];
     });
@@ -215,6 +221,7 @@ private:
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_ends;
   Simplification_parameters m_parameters;
+  bool m_remembers_arcs;
   Branch_cancellation m_folded;
 };
 
@@ -235,18 +242,19 @@ loop: what hung on a cancelled branch hangs on its neighbor afterwards, at the s
 the highest maximum of a component always stay.
 
 <b>Loops</b> stay unless `loop_persistence_threshold` is given. Then, after the branches, the loops
-below that threshold are closed, those with the lowest merges first: the cycle of the pair of split
-and merge (of those that the merge completes one whose lowest node, the split, lies highest) is
+below that threshold are closed, those with the highest splits first: the cycle of the pair of split
+and merge (of those that the split completes one whose highest node, the merge, lies lowest) is
 folded flat, from its highest node downwards, so that points of the same height become one; what
 hung on the cycle hangs on the fold, at the same height. Every closed loop makes the number of loops
 smaller by exactly one, and none of persistence below the threshold is left.
 
-- If the function is monotone on both sides of the cycle, from the split to the merge, then closing
+- If the function is monotone on both sides of the cycle, from the merge to the split, then closing
   the loop takes away its pair and changes no other pair, neither of extrema nor of loops.
-- Otherwise the cycle has turning points: nodes on it where branches or other loops leave in the
-  wrong direction, and no fold is that exact. The pairs of extrema may then change, each by at most
-  the persistence of the loop, and always towards smaller persistence; other loops may change as
-  well. Loops and branches that fall below their thresholds thereby are taken away, too.
+- Otherwise the cycle has peaks and valleys: nodes on it where branches or other loops leave in the
+  wrong direction, and no fold is that exact. Every such peak is folded down to the higher one of the
+  valleys beside it. The pairs of extrema may then change, each by at most the persistence of the
+  loop, and always towards smaller persistence; other loops may change as well. Loops and branches
+  that fall below their thresholds thereby are taken away, too.
 
 The nodes that stay keep their bundles, only `id` and `type` are brought up to date; the arcs are
 new.
@@ -307,10 +315,10 @@ new.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs, plus O(log m) for every node on the cycle
-of a closed loop; O(m log m) again as often as closing loops has changed
-other pairs. If there is anything to bring up to date for *n* vertices or faces, O(n log m) more, as
-long as the vertices lie between the ends of the arcs that they go to.
+Takes O(m log m) time for a graph with *m* nodes and arcs. To close *h* loops, on whose cycles are *p*
+peaks beside the merges, takes O((m + h + p) log<sup>2</sup> m) time, however long the cycles are
+(\cgalCite{georgiadis_2011}). If there is anything to bring up to date for *n* vertices or faces,
+O(n log m) more.
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
@@ -349,7 +357,10 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   internal::read_graph(graph, nodes, arcs, ends);
 
   const std::vector<double> values = internal::values_of_nodes(nodes);
-  internal::Simplification simplification(values, ends, parameters);
+  const bool has_arc_vertices =
+      std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
+  const bool has_maps = has_arc_vertices || has_vertex_arc_map || has_face_arc_map;
+  internal::Simplification simplification(values, ends, parameters, has_maps);
   simplification.run();
   internal::Branch_cancellation& folded = simplification.folded_graph();
   const internal::Remaining_graph remaining = internal::remaining_graph(folded, nodes.size());
@@ -362,9 +373,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
 
   // before anything is written
   [[maybe_unused]] std::vector<std::uint32_t> vertex_arcs, face_arcs;
-  const bool has_arc_vertices =
-      std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
-  if (has_arc_vertices || has_vertex_arc_map || has_face_arc_map) {
+  if (has_maps) {
     const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
     using VIM = std::decay_t<decltype(vertex_index_map)>;
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(

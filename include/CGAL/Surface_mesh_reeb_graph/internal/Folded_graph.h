@@ -25,7 +25,7 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
-// arcs are cut at the heights of nodes and go into other arcs. It remembers what became of every
+// arcs are divided at the heights of nodes and go into other arcs. It remembers what became of every
 // arc, for the vertices of the mesh to follow. All changes of single arcs take constant time, also at
 // nodes with many arcs.
 class Folded_graph
@@ -83,7 +83,7 @@ public:
         if (next.kind == GOES_INTO)
           fate = next; // halves the path for later queries
         arc = fate.arc;
-      } else if (fate.kind == IS_CUT) {
+      } else if (fate.kind == IS_DIVIDED) {
         arc = point.is_below(fate.node) ? fate.arc : fate.upper_arc;
       } else {
         const Zipped_branches& branches = m_zipped_branches[fate.arc];
@@ -106,6 +106,13 @@ public:
 
   // Lets the end of `arc` on a side be that of `other`.
   void set_heir(Side side, std::uint32_t arc, std::uint32_t other) { m_heirs[arc][side] = other; }
+
+  std::uint32_t add_arc(const Arc_ends& ends)
+  {
+    const std::uint32_t arc = add_number(ends);
+    attach(arc);
+    return arc;
+  }
 
   // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they
   // are set.
@@ -139,18 +146,17 @@ public:
     m_zipped_branches.push_back(std::move(branches));
   }
 
-  // Glues a node to a point inside an arc. Returns the lower and the upper part of the arc.
-  Arc_ends cut(std::uint32_t arc, std::uint32_t node)
+  // Returns a number for a sequence of two arcs, or of sequences, that meet in a node; arcs may go into it as into an
+  // arc.
+  std::uint32_t join(std::uint32_t lower_arc, std::uint32_t node, std::uint32_t upper_arc)
   {
-    detach(arc);
-    const std::uint32_t lower_arc = add_arc({m_arcs[arc].lower, node});
-    const std::uint32_t upper_arc = add_arc({node, m_arcs[arc].upper});
-    Fate& fate = m_fates[arc];
-    fate.kind = IS_CUT;
+    const std::uint32_t sequence = add_number({m_arcs[lower_arc].lower, m_arcs[upper_arc].upper});
+    Fate& fate = m_fates[sequence];
+    fate.kind = IS_DIVIDED;
     fate.arc = lower_arc;
     fate.upper_arc = upper_arc;
     fate.node = node;
-    return {lower_arc, upper_arc};
+    return sequence;
   }
 
   // Removes a node that has no arcs any more.
@@ -171,9 +177,9 @@ public:
   }
 
 private:
-  // What became of an arc: it stays; it went into another one; it was cut at a node into a lower and an upper arc;
+  // What became of an arc: it stays; it went into another one; it is divided at a node into a lower and an upper arc;
   // or it was zipped together with others, as a part of a branch.
-  enum Fate_kind { STAYS, GOES_INTO, IS_CUT, IS_ZIPPED };
+  enum Fate_kind { STAYS, GOES_INTO, IS_DIVIDED, IS_ZIPPED };
 
   struct Fate
   {
@@ -182,7 +188,7 @@ private:
     std::uint32_t arc = no_arc;
     std::uint32_t upper_arc = no_arc;
     std::uint32_t position = no_arc; // in the zipped branches
-    // of the cut; or the one that the points of a zipped arc go next to, if there is one
+    // where it is divided; or the one that the points of a zipped arc go next to, if there is one
     std::uint32_t node = no_node;
   };
 
@@ -197,14 +203,14 @@ private:
     std::uint32_t first = no_arc, last = no_arc, size = 0;
   };
 
-  std::uint32_t add_arc(const Arc_ends& ends)
+  // A number for an arc that is not there.
+  std::uint32_t add_number(const Arc_ends& ends)
   {
     const std::uint32_t arc = static_cast<std::uint32_t>(m_arcs.size());
     m_arcs.push_back(ends);
     m_fates.emplace_back();
     m_heirs.push_back({arc, arc});
     m_links.emplace_back();
-    attach(arc);
     return arc;
   }
 

@@ -21,30 +21,31 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the least key on
-// a path, in amortized logarithmic time (Sleator, Tarjan, "Self-adjusting binary search trees",
-// 1985): the trees are cut into paths, and every path is kept in a splay tree.
+// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the paths between them, in amortized
+// logarithmic time (Sleator, Tarjan, "Self-adjusting binary search trees", 1985): the trees are cut into paths, and
+// every path is kept in a splay tree.
+//
+// `Summary` says what is known of a set of numbers: its default value, for the empty set, is neutral in the sum of two,
+// which is associative and commutative.
+template <class Summary>
 class Link_cut_forest
 {
 public:
   static constexpr std::uint32_t no_item = (std::numeric_limits<std::uint32_t>::max)();
 
-  // Adds the next number, a tree of its own.
-  void add(std::uint32_t key)
+  explicit Link_cut_forest(std::size_t size) : m_items(size) {}
+
+  // Says what is known of a number that is a tree of its own.
+  void set_summary(std::uint32_t item, const Summary& summary)
   {
-    const std::uint32_t item = static_cast<std::uint32_t>(m_items.size());
-    m_items.push_back({no_item, {no_item, no_item}, item, key, false});
+    m_items[item].own = m_items[item].all = summary;
   }
-
-  std::size_t size() const { return m_items.size(); }
-
-  // Gives a number that is a tree of its own another key.
-  void set_key(std::uint32_t item, std::uint32_t key) { m_items[item].key = key; }
 
   // Joins two trees by an edge between `x` and `y`.
   void link(std::uint32_t x, std::uint32_t y)
   {
     make_root(x);
+    expose(y); // or else the logarithmic time is not proven
     m_items[x].parent = y;
   }
 
@@ -58,40 +59,63 @@ public:
     update(y);
   }
 
-  // An item of least key on the path between two items of one tree.
-  std::uint32_t least_on_path(std::uint32_t x, std::uint32_t y)
+  // The sum over the path between two items of one tree.
+  const Summary& sum_on_path(std::uint32_t x, std::uint32_t y)
   {
     make_path(x, y);
-    return m_items[y].least;
+    return m_items[y].all;
   }
 
-  // All items on the path between two items of one tree, in order.
-  std::vector<std::uint32_t> path(std::uint32_t x, std::uint32_t y)
+  // The item next to `x` on the path to another one of its tree.
+  std::uint32_t second_on_path(std::uint32_t x, std::uint32_t y)
   {
     make_path(x, y);
-    std::vector<std::uint32_t> result;
-    m_stack.clear();
-    for (std::uint32_t item = y; item != no_item || !m_stack.empty();) {
-      for (; item != no_item; item = m_items[item].child[0]) {
-        push_down_reversal(item);
-        m_stack.push_back(item);
-      }
-      item = m_stack.back();
-      m_stack.pop_back();
-      result.push_back(item);
-      item = m_items[item].child[1];
+    splay(x);
+    std::uint32_t item = m_items[x].child[1];
+    for (;;) {
+      push_down_reversal(item);
+      if (m_items[item].child[0] == no_item)
+        break;
+      item = m_items[item].child[0];
     }
+    splay(item);
+    return item;
+  }
+
+  // The last item on the path from `x` to `y`, two items of one tree, for which `holds(item, sum)` is true; `sum` is
+  // that over the path from `x` to the item, both included. It must be true for `x`, and for no item behind one for
+  // which it is not.
+  template <class Holds>
+  std::uint32_t last_on_path(std::uint32_t x, std::uint32_t y, const Holds& holds)
+  {
+    make_path(x, y);
+    std::uint32_t result = x, last = y;
+    Summary sum_before;
+    for (std::uint32_t item = y; item != no_item;) {
+      push_down_reversal(item);
+      last = item;
+      Summary sum = sum_before + m_items[item].own;
+      if (m_items[item].child[0] != no_item)
+        sum = sum + m_items[m_items[item].child[0]].all;
+      const bool is_true = holds(item, sum);
+      if (is_true) {
+        result = item;
+        sum_before = sum;
+      }
+      item = m_items[item].child[is_true ? 1 : 0];
+    }
+    splay(last);
     return result;
   }
 
 private:
   struct Item
   {
-    std::uint32_t parent; // in the splay tree, or, from its root, the item that the path hangs on
-    std::array<std::uint32_t, 2> child;
-    std::uint32_t least; // an item of least key in the subtree
-    std::uint32_t key;
-    bool is_reversed; // the subtree, but for the order of the children here
+    // in the splay tree, or, from its root, the item that the path hangs on
+    std::uint32_t parent = no_item;
+    std::array<std::uint32_t, 2> child = {no_item, no_item};
+    bool is_reversed = false; // the subtree, but for the order of the children here
+    Summary own, all;         // of the item, and of the subtree
   };
 
   bool is_splay_root(std::uint32_t x) const
@@ -115,10 +139,10 @@ private:
   void update(std::uint32_t x)
   {
     Item& item = m_items[x];
-    item.least = x;
+    item.all = item.own;
     for (const std::uint32_t child : item.child)
-      if (child != no_item && m_items[m_items[child].least].key < m_items[item.least].key)
-        item.least = m_items[child].least;
+      if (child != no_item)
+        item.all = item.all + m_items[child].all;
   }
 
   void rotate(std::uint32_t x)
@@ -140,9 +164,11 @@ private:
 
   void splay(std::uint32_t x)
   {
-    m_stack.assign(1, x);
-    while (!is_splay_root(m_stack.back()))
-      m_stack.push_back(m_items[m_stack.back()].parent);
+    for (std::uint32_t item = x;; item = m_items[item].parent) {
+      m_stack.push_back(item);
+      if (is_splay_root(item))
+        break;
+    }
     for (; !m_stack.empty(); m_stack.pop_back())
       push_down_reversal(m_stack.back());
     while (!is_splay_root(x)) {

@@ -10,158 +10,185 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LOOP_CLOSING_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LOOP_CLOSING_H
 
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
+// A part of an arc that has been glued to a path upwards, from one node to another one.
+struct Glued_part
+{
+  std::uint32_t arc, lower, upper;
+};
+
 // Closes loops of a Reeb graph: folds their cycles flat.
 //
-// At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of
-// their other ends, which leaves a cycle with one node less; and so on, until two parallel arcs are
-// left, which become one. What hangs on the cycle hangs on the fold afterwards, at its own height,
-// so the fold is a quotient of the graph that has one loop less.
+// At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of their other ends. Of
+// the longer arc a part is left there, the cycle has one node less; and so on, until two parallel arcs are left, which
+// become one. What hangs on the cycle hangs on the fold afterwards, at its own height, so the fold is a quotient of the
+// graph that has one loop less.
 //
-// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one
-// side to the point of the same height on the other, and no other extended persistence pair
-// changes. Sublevel and superlevel sets stay connected as they were, since s and m have joined the
-// two sides already. Of the part of the graph between two heights, the fold glues two intervals: if
-// s or m lies between the heights, they hang together there, and no cycle comes or goes; if both
-// do, the cycle goes; if none does, the two intervals belong to different components of the part,
-// or else there would be a cycle with the merge m and a split above s, and no cycle comes or goes
-// either.
+// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one side to the point of
+// the same height on the other, and no other extended persistence pair changes. Sublevel and superlevel sets stay
+// connected as they were, since s and m have joined the two sides already. Of the part of the graph between two heights,
+// the fold glues two intervals: if s or m lies between the heights, they hang together there, and no cycle comes or
+// goes; if both do, the cycle goes; if none does, the two intervals belong to different components of the part, or else
+// there would be a cycle with the split s and a merge below m, and no cycle comes or goes either.
 //
-// If a side goes up and down, other pairs may change: two points of the same height are glued that
-// were connected only along the cycle, so two components of sublevel or superlevel sets may become
-// one earlier, by no more than the persistence of the loop.
+// If a side goes up and down, its peaks are zipped first, each down to the higher one of the two valleys beside it. Then
+// other pairs may change: two points of the same height are glued that were connected only along the cycle, so two
+// components of sublevel or superlevel sets may become one earlier, by no more than the persistence of the loop.
+//
+// The loops are closed in the order of their splits, from the highest one on, and no small loop comes up later. For a
+// zip changes the highest node of a cycle only if this is a peak that is zipped, and never raises the lowest one; a
+// small loop that came about with a split at or above s would have been a small loop before.
+//
+// A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie above its lower end
+// at once. The logarithms of the lengths of all arcs, measured in nodes, bound the number of changes from one side to
+// the other: it is O(log m) for each zip and O(m log m) in all (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data
+// structures for mergeable trees", 2011). Every change takes O(log m) time.
 class Loop_closing
 {
 public:
-  explicit Loop_closing(Folded_graph& graph) : m_graph(graph) {}
+  // `arcs` may be any list of arcs, of which those count for which `is_arc(arc)` holds.
+  template <class IsArc>
+  Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs, const IsArc& is_arc)
+    : m_arcs(arcs)
+    , m_forest(number_of_nodes, m_arcs)
+    , m_sorted(sorted_downwards(number_of_nodes, arcs, is_arc))
+  {}
 
-  // Closes the loops for which `is_small(pair)` holds, and such as come up then. Returns whether
-  // other pairs may have changed.
+  // Closes the loops for which `is_small(pair)` holds. If it does, it must for all pairs of the same component that lie
+  // between the two nodes.
   template <class IsSmall>
-  bool run(const IsSmall& is_small)
+  void run(const IsSmall& is_small)
   {
-    bool have_other_pairs_changed = false;
-    for (;;) {
-      m_number_of_turns = 0;
-      close_upwards(is_small);
-      if (m_number_of_turns == 0)
-        break;
-      have_other_pairs_changed = true;
+    for (const std::uint32_t arc : m_sorted) {
+      const std::uint32_t highest = m_forest.add(arc);
+      if (highest != no_arc && is_small(Loop_pair{m_arcs[arc].lower, m_arcs[highest].upper}))
+        close(highest, m_arcs[arc].lower);
     }
-    for (std::uint32_t node = 0; node < m_graph.number_of_nodes(); ++node)
-      m_graph.pass_through_if_regular(node);
-    return have_other_pairs_changed;
   }
+
+  // What is left of every arc. If nothing is, the ends are the same.
+  const std::vector<Arc_ends>& arcs() const { return m_arcs; }
+
+  // All arcs that count, from the highest lower node to the lowest one.
+  const std::vector<std::uint32_t>& sorted_arcs() const { return m_sorted; }
+
+  // Those of an arc from the highest to the lowest. Between two nodes there is only one path downwards that they can
+  // have been glued to.
+  const std::vector<Glued_part>& glued_parts() const { return m_glued_parts; }
+
+  // Whether other pairs may have changed.
+  bool have_other_pairs_changed() const { return m_have_other_pairs_changed; }
 
 private:
-  // As loop_pairs(), but that the forest and the graph below a merge change when a loop is closed
-  // there.
-  template <class IsSmall>
-  void close_upwards(const IsSmall& is_small)
+  struct Summary : Highest_arc
   {
-    Arc_forest forest(m_graph.number_of_nodes());
-    std::vector<std::uint32_t> arcs;
-    for (std::uint32_t merge = 0; merge < m_graph.number_of_nodes(); ++merge) {
-      arcs.clear();
-      for (std::uint32_t arc = m_graph.first_arc(BELOW, merge); arc != no_arc;
-           arc = m_graph.next_arc(BELOW, arc))
-        arcs.push_back(arc);
-      for (const std::uint32_t arc : arcs) {
-        const Arc_ends ends = m_graph.arcs()[arc];
-        if (forest.are_connected(ends.lower, merge)) {
-          const std::uint32_t lowest = forest.lowest_arc(ends.lower, merge);
-          const Arc_ends lowest_ends = m_graph.arcs()[lowest];
-          if (is_small(Loop_pair{(std::min)(ends.lower, lowest_ends.lower), merge})) {
-            close(arc, forest);
-            continue;
-          }
-          if (ends.lower <= lowest_ends.lower)
-            continue;
-          forest.remove(lowest, lowest_ends);
-        }
-        forest.insert(arc, ends);
+    Summary() = default;
+    Summary(std::uint32_t arc, const Arc_ends& ends)
+      : Highest_arc(arc, ends), length(ends.upper - ends.lower)
+    {}
+
+    friend Summary operator+(const Summary& a, const Summary& b)
+    {
+      Summary result;
+      static_cast<Highest_arc&>(result) = static_cast<const Highest_arc&>(a) + b;
+      result.length = a.length + b.length;
+      return result;
+    }
+
+    std::uint64_t length = 0; // the sum over the arcs
+  };
+
+  // Closes the loop of the path between the ends of an arc that is not in the forest, and whose upper node is the
+  // highest one of the cycle.
+  void close(std::uint32_t arc, std::uint32_t split)
+  {
+    const Arc_ends ends = m_arcs[arc];
+    const std::uint64_t length = m_forest.sum_on_path(ends.upper, ends.lower).length;
+    if (length != (ends.upper - split) + std::uint64_t(ends.lower - split))
+      close_peaks(ends.upper, ends.lower);
+    zip(ends.upper, {arc, split}, split);
+  }
+
+  // Makes a path between two nodes, the first one its highest, one that goes down and then up.
+  void close_peaks(std::uint32_t node, std::uint32_t other)
+  {
+    m_have_other_pairs_changed = true;
+    m_turns.clear();
+    for (bool goes_down = true; node != other; goes_down = !goes_down) {
+      node = m_forest.first_turn(goes_down, node, other);
+      m_turns.push_back(node);
+    }
+    std::uint32_t valley = m_turns.front();
+    for (std::size_t i = 1; i + 1 < m_turns.size(); i += 2) {
+      const std::uint32_t peak = m_turns[i], next_valley = m_turns[i + 1];
+      const std::uint32_t arc = m_forest.first_on_path(peak, valley);
+      m_forest.remove(arc);
+      zip(peak, {arc, valley}, next_valley);
+      valley = (std::min)(valley, next_valley);
+    }
+  }
+
+  // A path downwards that begins with an arc that is not in the forest; the others are.
+  struct Side_of_cycle
+  {
+    std::uint32_t arc, valley;
+  };
+
+  // Zips two paths downwards together that begin at a node, one of them in the forest, down to the higher one of their
+  // valleys.
+  void zip(std::uint32_t node, Side_of_cycle side, std::uint32_t other_valley)
+  {
+    for (;;) {
+      const std::uint32_t other_arc = m_forest.first_on_path(node, other_valley);
+      if (m_arcs[other_arc].lower < m_arcs[side.arc].lower) {
+        m_forest.remove(other_arc);
+        m_forest.insert(side.arc);
+        std::swap(side.valley, other_valley);
+        side.arc = other_arc;
       }
-    }
-  }
-
-  // Closes the loop of an arc and the path between its ends in the forest. The cycle becomes a tree
-  // on the same nodes. It takes the place of the path, and the forest stays a maximum one: what the
-  // path connected down to a height, the tree does.
-  void close(std::uint32_t closing_arc, Arc_forest& forest)
-  {
-    const Arc_ends ends = m_graph.arcs()[closing_arc];
-    m_cycle = forest.path(ends.lower, ends.upper);
-    m_nodes.assign(1, ends.lower);
-    for (const std::uint32_t arc : m_cycle) {
-      const Arc_ends& arc_ends = m_graph.arcs()[arc];
-      m_nodes.push_back(arc_ends.lower == m_nodes.back() ? arc_ends.upper : arc_ends.lower);
-      forest.remove(arc, arc_ends);
-    }
-    m_cycle.push_back(closing_arc);
-
-    fold();
-    for (const std::uint32_t arc : m_tree)
-      forest.insert(arc, m_graph.arcs()[arc]);
-  }
-
-  // Folds the cycle of m_nodes, of which m_cycle[i] joins m_nodes[i] to the next one, to m_tree.
-  void fold()
-  {
-    const std::uint32_t size = static_cast<std::uint32_t>(m_nodes.size());
-    m_previous.resize(size);
-    m_next.resize(size);
-    m_order.resize(size);
-    std::iota(m_order.begin(), m_order.end(), 0);
-    std::sort(m_order.begin(), m_order.end(), [this](std::uint32_t i, std::uint32_t j) {
-      return m_nodes[i] > m_nodes[j];
-    });
-    for (std::uint32_t i = 0; i < size; ++i) {
-      m_previous[i] = (i + size - 1) % size;
-      m_next[i] = (i + 1) % size;
-    }
-    for (std::uint32_t i = 0; i < size; ++i)
-      if (m_nodes[i] != m_nodes[m_order.front()] && m_nodes[m_previous[i]] < m_nodes[i] &&
-          m_nodes[m_next[i]] < m_nodes[i])
-        ++m_number_of_turns;
-
-    m_tree.clear();
-    for (const std::uint32_t top : m_order) {
-      const std::uint32_t previous = m_previous[top], next = m_next[top];
-      const std::uint32_t previous_arc = m_cycle[previous], next_arc = m_cycle[top];
-      if (previous == next) {
-        m_graph.glue(previous_arc, next_arc);
-        m_tree.push_back(next_arc);
+      const std::uint32_t lower = m_arcs[side.arc].lower;
+      if (lower == other_valley) { // then it is the valley of both
+        glue(side.arc, lower);
         return;
       }
-      const bool is_next_nearer = m_nodes[previous] < m_nodes[next];
-      const std::uint32_t shorter_arc = is_next_nearer ? next_arc : previous_arc;
-      const std::uint32_t longer_arc = is_next_nearer ? previous_arc : next_arc;
-      const Arc_ends parts = m_graph.cut(longer_arc, m_nodes[is_next_nearer ? next : previous]);
-      m_graph.glue(shorter_arc, parts.upper);
-      m_tree.push_back(parts.upper);
-      m_cycle[previous] = parts.lower;
-      m_next[previous] = next;
-      m_previous[next] = previous;
+      node = m_forest.last_above(lower, node, other_valley);
+      glue(side.arc, node);
+      if (node == other_valley) {
+        m_forest.insert(side.arc);
+        return;
+      }
     }
   }
 
-  Folded_graph& m_graph;
-  std::size_t m_number_of_turns = 0; // peaks of the cycles other than their merges
-  std::vector<std::uint32_t> m_nodes, m_cycle, m_tree;    // of the loop that is being closed
-  std::vector<std::uint32_t> m_previous, m_next, m_order; // positions in m_nodes
+  // Glues an arc to the path downwards from its upper end to a node.
+  void glue(std::uint32_t arc, std::uint32_t node)
+  {
+    CGAL_assertion(m_arcs[arc].lower <= node && node < m_arcs[arc].upper);
+    m_glued_parts.push_back({arc, node, m_arcs[arc].upper});
+    m_arcs[arc].upper = node;
+  }
+
+  std::vector<Arc_ends> m_arcs;
+  Arc_forest<Summary> m_forest;
+  std::vector<std::uint32_t> m_sorted;
+  std::vector<Glued_part> m_glued_parts;
+  bool m_have_other_pairs_changed = false;
+  std::vector<std::uint32_t> m_turns; // of the path whose peaks are closed
 };
 
 } // namespace internal

@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ARC_FOREST_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ARC_FOREST_H
+
+#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Link_cut_forest.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Number_sets.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// The arcs for which `is_arc(arc)` holds, from the highest lower node to the lowest one.
+template <class IsArc>
+std::vector<std::uint32_t> sorted_downwards(std::size_t number_of_nodes,
+                                            const std::vector<Arc_ends>& arcs,
+                                            const IsArc& is_arc)
+{
+  std::vector<std::size_t> position(number_of_nodes + 1, 0); // counting sort
+  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+    if (is_arc(arc))
+      ++position[number_of_nodes - arcs[arc].lower];
+  std::partial_sum(position.begin(), position.end(), position.begin());
+  std::vector<std::uint32_t> result(position.back());
+  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+    if (is_arc(arc))
+      result[position[number_of_nodes - 1 - arcs[arc].lower]++] = arc;
+  return result;
+}
+
+// What is known of a set of arcs: the one with the highest upper node.
+struct Highest_arc
+{
+  Highest_arc() = default;
+  Highest_arc(std::uint32_t arc, const Arc_ends& ends) : upper(ends.upper), arc(arc) {}
+
+  friend Highest_arc operator+(const Highest_arc& a, const Highest_arc& b)
+  {
+    return a.upper < b.upper ? b : a;
+  }
+
+  std::uint32_t upper = 0, arc = no_arc; // the upper node of an arc is not 0
+};
+
+// A spanning forest of a Reeb graph, its arcs given one by one from the highest lower node to the
+// lowest one, that is kept a minimum one with respect to the upper nodes of the arcs. So of all paths
+// between two nodes the one in the forest goes up least.
+//
+// The loops of extended persistence fall out. A pair has its merge at or below m and its split at
+// or above s for every independent cycle of the arcs between the heights s and m. Of these arcs the
+// forest of the arcs down to s holds a spanning forest, so the independent cycles are as many as the
+// arcs that have left the forest, or not entered it, by then: one at every split that completes a
+// cycle, and its merge is the upper node of the arc. It does not matter which one leaves of several
+// arcs with the same upper node, nor in which order those with the same lower node come.
+//
+// `Summary` says what is known of the arcs on a path: a Highest_arc, and what others want to know.
+template <class Summary = Highest_arc>
+class Arc_forest
+{
+public:
+  // The ends of an arc must not change while it is in the forest.
+  Arc_forest(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
+    : m_number_of_nodes(number_of_nodes)
+    , m_arcs(arcs)
+    , m_forest(number_of_nodes + arcs.size())
+    , m_components(number_of_nodes)
+  {}
+
+  // Gives the forest the next arc. If it completes a cycle, returns the arc that therefore leaves the forest, or does
+  // not enter it: the highest one on the cycle.
+  std::uint32_t add(std::uint32_t arc)
+  {
+    const Arc_ends& ends = m_arcs[arc];
+    const std::uint32_t lower_component = m_components.root(ends.lower),
+                        upper_component = m_components.root(ends.upper);
+    if (lower_component != upper_component) {
+      m_components.join(lower_component, upper_component);
+      insert(arc);
+      return no_arc;
+    }
+    const Highest_arc highest = sum_on_path(ends.lower, ends.upper);
+    if (highest.upper <= ends.upper)
+      return arc;
+    remove(highest.arc);
+    insert(arc);
+    return highest.arc;
+  }
+
+  // Joins two trees.
+  void insert(std::uint32_t arc)
+  {
+    m_forest.set_summary(item_of(arc), Summary(arc, m_arcs[arc]));
+    m_forest.link(item_of(arc), m_arcs[arc].lower);
+    m_forest.link(m_arcs[arc].upper, item_of(arc));
+  }
+
+  // The nodes that the arc connects must be connected again before the next arc is added.
+  void remove(std::uint32_t arc)
+  {
+    m_forest.cut(item_of(arc), m_arcs[arc].lower);
+    m_forest.cut(item_of(arc), m_arcs[arc].upper);
+  }
+
+  // What is known of the arcs on the path between two nodes of a tree.
+  const Summary& sum_on_path(std::uint32_t node, std::uint32_t other)
+  {
+    return m_forest.sum_on_path(node, other);
+  }
+
+  // The first arc on the path from a node to another one of its tree.
+  std::uint32_t first_on_path(std::uint32_t node, std::uint32_t other)
+  {
+    return arc_of(m_forest.second_on_path(node, other));
+  }
+
+  // The last node above `bound` on a path downwards from one node to another one.
+  std::uint32_t last_above(std::uint32_t bound, std::uint32_t node, std::uint32_t lower_node)
+  {
+    return m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
+      return (is_node(item) ? item : m_arcs[arc_of(item)].lower) > bound;
+    });
+  }
+
+  // The node at which the path from a node to another one turns that begins downwards, or upwards, and the other node if
+  // it does not turn. `length` is a part of the summary, the sum over all arcs of the differences of their ends.
+  std::uint32_t first_turn(bool begins_downwards, std::uint32_t node, std::uint32_t other)
+  {
+    return m_forest.last_on_path(node, other, [&](std::uint32_t item, const Summary& sum) {
+      std::uint32_t end = item; // of the path to the item, if it does not turn
+      if (!is_node(item))
+        end = begins_downwards ? m_arcs[arc_of(item)].lower : m_arcs[arc_of(item)].upper;
+      return begins_downwards ? end <= node && sum.length == node - end
+                              : node <= end && sum.length == end - node;
+    });
+  }
+
+private:
+  // the nodes, then the arcs, each between its ends
+  bool is_node(std::uint32_t item) const { return item < m_number_of_nodes; }
+  std::uint32_t item_of(std::uint32_t arc) const
+  {
+    return static_cast<std::uint32_t>(m_number_of_nodes + arc);
+  }
+  std::uint32_t arc_of(std::uint32_t item) const
+  {
+    return static_cast<std::uint32_t>(item - m_number_of_nodes);
+  }
+
+  std::size_t m_number_of_nodes;
+  const std::vector<Arc_ends>& m_arcs;
+  Link_cut_forest<Summary> m_forest;
+  Number_sets m_components;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_ARC_FOREST_H
