@@ -23,21 +23,17 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The arcs for which `is_arc(arc)` holds, from the highest lower node to the lowest one.
-template <class IsArc>
-std::vector<std::uint32_t> sorted_downwards(std::size_t number_of_nodes,
-                                            const std::vector<Arc_ends>& arcs,
-                                            const IsArc& is_arc)
+// The numbers of arcs, from the highest lower node to the lowest one.
+inline std::vector<std::uint32_t>
+sorted_downwards(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
 {
   std::vector<std::size_t> position(number_of_nodes + 1, 0); // counting sort
-  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    if (is_arc(arc))
-      ++position[number_of_nodes - arcs[arc].lower];
+  for (const Arc_ends& ends : arcs)
+    ++position[number_of_nodes - ends.lower];
   std::partial_sum(position.begin(), position.end(), position.begin());
-  std::vector<std::uint32_t> result(position.back());
+  std::vector<std::uint32_t> result(arcs.size());
   for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    if (is_arc(arc))
-      result[position[number_of_nodes - 1 - arcs[arc].lower]++] = arc;
+    result[position[number_of_nodes - 1 - arcs[arc].lower]++] = arc;
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Graph_core.h>
 
 #include <cstdint>
 #include <limits>
@@ -30,11 +31,16 @@ namespace internal {
 class Arc_sequences
 {
 public:
-  // `numbers` holds by arc the number that it has in `graph`.
+  // The arcs are those of `core`, shortened; `numbers` holds by arc the number that it has in `graph`.
   Arc_sequences(Folded_graph& graph,
+                const Graph_core& core,
                 const std::vector<Arc_ends>& arcs,
                 const std::vector<std::uint32_t>& numbers)
-    : m_graph(graph), m_arcs(arcs), m_numbers(numbers), m_forest(graph.number_of_nodes(), arcs)
+    : m_graph(graph)
+    , m_core(core)
+    , m_arcs(arcs)
+    , m_numbers(numbers)
+    , m_forest(core.number_of_nodes(), arcs)
   {}
 
   // Adds an arc. They must be added from the highest lower node to the lowest one.
@@ -55,9 +61,9 @@ public:
 
     std::uint32_t result = m_numbers[arc];
     if (ends.upper != upper)
-      result = m_graph.join(result, ends.upper, sequence(ends.upper, upper));
+      result = m_graph.join(result, m_core.node_before(ends.upper), sequence(ends.upper, upper));
     if (ends.lower != lower)
-      result = m_graph.join(sequence(lower, ends.lower), ends.lower, result);
+      result = m_graph.join(sequence(lower, ends.lower), m_core.node_before(ends.lower), result);
     m_sequences.emplace(key, result);
     return result;
   }
@@ -97,6 +103,7 @@ private:
   }
 
   Folded_graph& m_graph;
+  const Graph_core& m_core;
   const std::vector<Arc_ends>& m_arcs;
   const std::vector<std::uint32_t>& m_numbers;
   Arc_forest<Summary> m_forest;

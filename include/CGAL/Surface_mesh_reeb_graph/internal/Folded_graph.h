@@ -114,8 +114,8 @@ public:
     return arc;
   }
 
-  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they
-  // are set.
+  // Removes an arc whose points are glued to points of `other`, which is `no_arc` if nobody will ask
+  // for them. Its ends have no heirs unless they are set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
     detach(arc);

@@ -61,12 +61,11 @@ struct Glued_part
 class Loop_closing
 {
 public:
-  // `arcs` may be any list of arcs, of which those count for which `is_arc(arc)` holds.
-  template <class IsArc>
-  Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs, const IsArc& is_arc)
+  // The nodes are numbered from the lowest to the highest.
+  Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
     : m_arcs(arcs)
     , m_forest(number_of_nodes, m_arcs)
-    , m_sorted(sorted_downwards(number_of_nodes, arcs, is_arc))
+    , m_sorted(sorted_downwards(number_of_nodes, arcs))
   {}
 
   // Closes the loops for which `is_small(pair)` holds. If it does, it must for all pairs of the same component that lie
@@ -84,7 +83,7 @@ public:
   // What is left of every arc. If nothing is, the ends are the same.
   const std::vector<Arc_ends>& arcs() const { return m_arcs; }
 
-  // All arcs that count, from the highest lower node to the lowest one.
+  // All arcs, from the highest lower node to the lowest one.
   const std::vector<std::uint32_t>& sorted_arcs() const { return m_sorted; }
 
   // Those of an arc from the highest to the lowest. Between two nodes there is only one path downwards that they can

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_forest.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Graph_core.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,14 +32,14 @@ struct Loop_pair
 inline std::vector<Loop_pair>
 loop_pairs(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
 {
-  Arc_forest<> forest(number_of_nodes, arcs);
+  const Graph_core core(number_of_nodes, arcs, [](std::uint32_t) { return true; });
+  Arc_forest<> forest(core.number_of_nodes(), core.arcs());
   std::vector<Loop_pair> pairs;
-  for (const std::uint32_t arc :
-       sorted_downwards(number_of_nodes, arcs, [](std::uint32_t) { return true; }))
-  {
+  for (const std::uint32_t arc : sorted_downwards(core.number_of_nodes(), core.arcs())) {
     const std::uint32_t highest = forest.add(arc);
     if (highest != no_arc)
-      pairs.push_back({arcs[arc].lower, arcs[highest].upper});
+      pairs.push_back(
+          {core.node_before(core.arcs()[arc].lower), core.node_before(core.arcs()[highest].upper)});
   }
   return pairs;
 }

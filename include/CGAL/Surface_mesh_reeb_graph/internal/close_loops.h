@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_sequences.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Graph_core.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
 
 #include <algorithm>
@@ -30,8 +31,10 @@ namespace internal {
 class Closed_loops
 {
 public:
-  Closed_loops(Folded_graph& graph, const Loop_closing& closing)
+  // The loops are those of `core`, a part of the graph.
+  Closed_loops(Folded_graph& graph, const Graph_core& core, const Loop_closing& closing)
     : m_graph(graph)
+    , m_core(core)
     , m_arcs(closing.arcs())
     , m_sorted_arcs(closing.sorted_arcs())
     , m_parts(closing.glued_parts())
@@ -54,14 +57,21 @@ public:
 private:
   bool is_left(std::uint32_t arc) const { return m_arcs[arc].lower < m_arcs[arc].upper; }
 
+  bool is_changed(std::uint32_t arc) const { return m_numbers[arc] != m_core.arc_before(arc); }
+
   // What is left of an arc is a new one.
   void number_arcs()
   {
-    m_numbers.resize(m_arcs.size());
-    std::iota(m_numbers.begin(), m_numbers.end(), 0);
-    for (const Glued_part& part : m_parts)
-      if (m_numbers[part.arc] == part.arc)
-        m_numbers[part.arc] = is_left(part.arc) ? m_graph.add_arc(m_arcs[part.arc]) : no_arc;
+    for (std::uint32_t arc = 0; arc < m_arcs.size(); ++arc)
+      m_numbers.push_back(m_core.arc_before(arc));
+    for (const Glued_part& part : m_parts) {
+      const Arc_ends& ends = m_arcs[part.arc];
+      if (!is_changed(part.arc))
+        m_numbers[part.arc] =
+            is_left(part.arc)
+                ? m_graph.add_arc({m_core.node_before(ends.lower), m_core.node_before(ends.upper)})
+                : no_arc;
+    }
   }
 
   void number_parts()
@@ -71,11 +81,9 @@ private:
     for (const Glued_part& part : m_parts)
       ends.push_back({part.lower, part.upper});
     m_numbers_of_parts.resize(m_parts.size());
-    Arc_sequences sequences(m_graph, m_arcs, m_numbers);
+    Arc_sequences sequences(m_graph, m_core, m_arcs, m_numbers);
     auto arc = m_sorted_arcs.begin();
-    for (const std::uint32_t part :
-         sorted_downwards(m_graph.number_of_nodes(), ends, [](std::uint32_t) { return true; }))
-    {
+    for (const std::uint32_t part : sorted_downwards(m_core.number_of_nodes(), ends)) {
       for (; arc != m_sorted_arcs.end() && m_arcs[*arc].lower >= ends[part].lower; ++arc)
         if (is_left(*arc))
           sequences.add(*arc);
@@ -99,15 +107,15 @@ private:
         m_sequence.push_back({m_numbers[arc], m_arcs[arc].upper});
       for (auto part = end; part-- != begin;)
         m_sequence.push_back({m_numbers_of_parts[*part], m_parts[*part].upper});
-      m_graph.glue(arc, joined(0, m_sequence.size()));
+      m_graph.glue(m_core.arc_before(arc), joined(0, m_sequence.size()));
     }
   }
 
   void remove_arcs()
   {
     for (std::uint32_t arc = 0; arc < m_numbers.size(); ++arc)
-      if (m_numbers[arc] != arc)
-        m_graph.glue(arc, no_arc);
+      if (is_changed(arc))
+        m_graph.glue(m_core.arc_before(arc), no_arc);
   }
 
   // One number for a part of m_sequence.
@@ -117,7 +125,7 @@ private:
       return m_sequence[begin].number;
     const std::size_t middle = begin + (end - begin) / 2;
     const std::uint32_t lower = joined(begin, middle), upper = joined(middle, end);
-    return m_graph.join(lower, m_sequence[middle - 1].upper_node, upper);
+    return m_graph.join(lower, m_core.node_before(m_sequence[middle - 1].upper_node), upper);
   }
 
   struct Part_of_sequence
@@ -126,6 +134,7 @@ private:
   };
 
   Folded_graph& m_graph;
+  const Graph_core& m_core;
   const std::vector<Arc_ends>& m_arcs;
   const std::vector<std::uint32_t>& m_sorted_arcs;
   const std::vector<Glued_part>& m_parts;
@@ -138,11 +147,16 @@ private:
 template <class IsSmall>
 bool close_loops(Folded_graph& graph, bool remembers_arcs, const IsSmall& is_small)
 {
-  Loop_closing closing(
+  const Graph_core core(
       graph.number_of_nodes(), graph.arcs(), [&](std::uint32_t arc) { return graph.is_arc(arc); });
-  closing.run(is_small);
+  if (core.arcs().empty())
+    return false;
+  Loop_closing closing(core.number_of_nodes(), core.arcs());
+  closing.run([&](const Loop_pair& loop) {
+    return is_small(Loop_pair{core.node_before(loop.split), core.node_before(loop.merge)});
+  });
   if (!closing.glued_parts().empty())
-    Closed_loops(graph, closing).write(remembers_arcs);
+    Closed_loops(graph, core, closing).write(remembers_arcs);
   return closing.have_other_pairs_changed();
 }
 
