@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_images.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
@@ -379,9 +378,8 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(
         tmesh, scalar_map, vertex_index_map);
 
-    internal::Arc_images arc_images(folded);
     const auto arc_after = [&](vertex_descriptor v, std::size_t arc) {
-      return remaining.position_of_arc[arc_images.arc_after(
+      return remaining.position_of_arc[folded.arc_after(
           static_cast<std::uint32_t>(arc),
           [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
     };
