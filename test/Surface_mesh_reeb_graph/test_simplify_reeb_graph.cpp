@@ -508,6 +508,52 @@ BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
   }
 }
 
+// The fold is a continuous map to the graph that is left, and onto it: what meets at a node meets afterwards, at the
+// same height, at a node or within an arc; and points of an arc that are next to each other stay so.
+BOOST_AUTO_TEST_CASE(the_fold_of_loops_is_a_quotient)
+{
+  for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Graph graph = random_graph(rng, seed % 2 == 1);
+      const std::vector<double> values = values_of(graph);
+      SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+      close_loops(folded, values, random_unit(rng) * (values.back() + 1));
+
+      // by node: the images of the ends of the arcs there
+      std::vector<std::set<std::uint32_t>> images_at_node(values.size());
+      std::set<std::uint32_t> all_images;
+      const std::vector<Rank_pair> arcs = arcs_of(graph);
+      for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
+        std::uint32_t last_image = SMRG::internal::no_arc;
+        for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node) {
+          const std::uint32_t image =
+              folded.arc_after(static_cast<std::uint32_t>(arc),
+                               [node](const std::uint32_t other) { return node < other; });
+          all_images.insert(image);
+          if (node == arcs[arc].first)
+            images_at_node[node].insert(image);
+          else if (image != last_image) {
+            BOOST_TEST(folded.arcs()[last_image].upper == node);
+            BOOST_TEST(folded.arcs()[image].lower == node);
+          }
+          last_image = image;
+        }
+        images_at_node[arcs[arc].second].insert(last_image);
+      }
+      for (std::uint32_t node = 0; node < values.size(); ++node) {
+        const auto has_end_here = [&](const std::uint32_t image) {
+          return folded.arcs()[image].lower == node || folded.arcs()[image].upper == node;
+        };
+        const std::set<std::uint32_t>& images = images_at_node[node];
+        BOOST_TEST((images.size() <= 1 || std::all_of(images.begin(), images.end(), has_end_here)));
+      }
+      BOOST_TEST(all_images.size() == left_of(folded).arcs.size());
+    }
+  }
+}
+
 // On meshes: the maps to the arcs follow, and the branches and loops that are left have the heights
 // that they had.
 BOOST_AUTO_TEST_CASE(maps_follow_when_loops_are_closed)
