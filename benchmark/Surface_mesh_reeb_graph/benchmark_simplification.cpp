@@ -145,6 +145,40 @@ Graph random_cycles(const std::size_t n)
   return make_graph(n, arcs, n);
 }
 
+// The number whose binary digits are those of another one below `bound`, a power of two, in reverse order.
+std::size_t reversed_bits(std::size_t number, std::size_t bound)
+{
+  std::size_t result = 0;
+  for (; bound > 1; bound /= 2) {
+    result = 2 * result + number % 2;
+    number /= 2;
+  }
+  return result;
+}
+
+// Paths of 8 nodes each from one node down, the nodes of all paths in turn. They meet in pairs, the pairs meet in pairs, and
+// so on: when two bundles are zipped together their nodes take turns, which is as often as can be.
+Graph nested_cycles(const std::size_t number_of_nodes)
+{
+  std::size_t number_of_paths = 1;
+  while (number_of_paths * 20 <= number_of_nodes)
+    number_of_paths *= 2;
+  const std::size_t length = 8, n = length * number_of_paths;
+  const std::size_t first = number_of_paths; // of the nodes on the paths; below are the splits
+  const std::size_t top = first + n;
+  Arcs arcs;
+  for (std::size_t i = 0; i < n; ++i)
+    arcs.emplace_back(first + i, (std::min)(first + i + number_of_paths, top));
+  hang_on(arcs, first, n, top + 1);
+  // the split i has two below it, or two paths; those of the paths are the highest ones
+  for (std::size_t i = 1; i < number_of_paths; ++i)
+    for (std::size_t k = 2 * i; k < 2 * i + 2; ++k)
+      arcs.emplace_back(
+          i, k < number_of_paths ? k : first + reversed_bits(k - number_of_paths, number_of_paths));
+  arcs.emplace_back(0, 1);
+  return make_graph(top + 1 + n, arcs, top + 1);
+}
+
 // ---- measurements ---------------------------------------------------------------------------------
 
 template <class Task>
@@ -263,6 +297,7 @@ int main(int argc, char* argv[])
   add_graph("long_cycles", long_cycles, 0, infinity);
   add_graph("alternating_cycles", alternating_cycles, 0, infinity);
   add_graph("cycles_with_peaks", cycles_with_peaks, 0, infinity);
+  add_graph("nested_cycles", nested_cycles, 0, infinity);
   add_graph("random_cycles", random_cycles, 0, infinity);
   add_meshes();
   benchmark::RunSpecifiedBenchmarks();

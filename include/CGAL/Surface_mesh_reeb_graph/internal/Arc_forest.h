@@ -99,15 +99,13 @@ public:
   void insert(std::uint32_t arc)
   {
     m_forest.set_summary(item_of(arc), Summary(arc, m_arcs[arc]));
-    m_forest.link(item_of(arc), m_arcs[arc].lower);
-    m_forest.link(m_arcs[arc].upper, item_of(arc));
+    m_forest.insert(item_of(arc), m_arcs[arc].lower, m_arcs[arc].upper);
   }
 
   // The nodes that the arc connects must be connected again before the next arc is added.
   void remove(std::uint32_t arc)
   {
-    m_forest.cut(item_of(arc), m_arcs[arc].lower);
-    m_forest.cut(item_of(arc), m_arcs[arc].upper);
+    m_forest.remove(item_of(arc), m_arcs[arc].lower, m_arcs[arc].upper);
   }
 
   // What is known of the arcs on the path between two nodes of a tree.
@@ -122,25 +120,33 @@ public:
     return arc_of(m_forest.second_on_path(node, other));
   }
 
-  // The last node above `bound` on a path downwards from one node to another one.
-  std::uint32_t last_above(std::uint32_t bound, std::uint32_t node, std::uint32_t lower_node)
+  struct Node_on_path
   {
-    return m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
-      return (is_node(item) ? item : m_arcs[arc_of(item)].lower) > bound;
-    });
+    std::uint32_t node, next_arc; // `no_arc` at the end of the path
+  };
+
+  // The last node above `bound` on a path downwards from one node to another one.
+  Node_on_path last_above(std::uint32_t bound, std::uint32_t node, std::uint32_t lower_node)
+  {
+    const auto last =
+        m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
+          return (is_node(item) ? item : m_arcs[arc_of(item)].lower) > bound;
+        });
+    return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }
 
   // The node at which the path from a node to another one turns that begins downwards, or upwards, and the other node if
   // it does not turn. `length` is a part of the summary, the sum over all arcs of the differences of their ends.
   std::uint32_t first_turn(bool begins_downwards, std::uint32_t node, std::uint32_t other)
   {
-    return m_forest.last_on_path(node, other, [&](std::uint32_t item, const Summary& sum) {
+    const auto goes_on = [&](std::uint32_t item, const Summary& sum) {
       std::uint32_t end = item; // of the path to the item, if it does not turn
       if (!is_node(item))
         end = begins_downwards ? m_arcs[arc_of(item)].lower : m_arcs[arc_of(item)].upper;
       return begins_downwards ? end <= node && sum.length == node - end
                               : node <= end && sum.length == end - node;
-    });
+    };
+    return m_forest.last_on_path(node, other, goes_on).item;
   }
 
 private:

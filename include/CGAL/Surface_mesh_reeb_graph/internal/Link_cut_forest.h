@@ -41,22 +41,25 @@ public:
     m_items[item].own = m_items[item].all = summary;
   }
 
-  // Joins two trees by an edge between `x` and `y`.
-  void link(std::uint32_t x, std::uint32_t y)
+  // Joins two trees by edges from `x` to `item`, a tree of its own, and from there to `y`.
+  void insert(std::uint32_t item, std::uint32_t x, std::uint32_t y)
   {
-    make_root(x);
-    expose(y); // or else the logarithmic time is not proven
-    m_items[x].parent = y;
+    make_root(y);
+    m_items[y].parent = item;
+    expose(x); // or else the logarithmic time is not proven
+    m_items[item].parent = x;
   }
 
-  // Removes the edge between `x` and `y`.
-  void cut(std::uint32_t x, std::uint32_t y)
+  // Removes the edges from `item` to `x` and `y`, its only neighbors.
+  void remove(std::uint32_t item, std::uint32_t x, std::uint32_t y)
   {
     make_path(x, y);
-    // the path has two items, of which y is the root of the splay tree
-    m_items[m_items[y].child[0]].parent = no_item;
-    m_items[y].child[0] = no_item;
-    update(y);
+    splay(item);
+    for (std::uint32_t& child : m_items[item].child) {
+      m_items[child].parent = no_item;
+      child = no_item;
+    }
+    update(item);
   }
 
   // The sum over the path between two items of one tree.
@@ -82,14 +85,20 @@ public:
     return item;
   }
 
-  // The last item on the path from `x` to `y`, two items of one tree, for which `holds(item, sum)` is true; `sum` is
-  // that over the path from `x` to the item, both included. It must be true for `x`, and for no item behind one for
-  // which it is not.
+  struct Neighbors_on_path
+  {
+    std::uint32_t item, next; // `no_item` if there is no next one
+  };
+
+  // The last item on the path from `x` to `y`, two items of one tree, for which `holds(item, sum)` is true, and the next
+  // one; `sum` is that over the path from `x` to the item, both included. It must be true for `x`, and for no item
+  // behind one for which it is not.
   template <class Holds>
-  std::uint32_t last_on_path(std::uint32_t x, std::uint32_t y, const Holds& holds)
+  Neighbors_on_path last_on_path(std::uint32_t x, std::uint32_t y, const Holds& holds)
   {
     make_path(x, y);
-    std::uint32_t result = x, last = y;
+    Neighbors_on_path result = {x, no_item};
+    std::uint32_t last = y;
     Summary sum_before;
     for (std::uint32_t item = y; item != no_item;) {
       push_down_reversal(item);
@@ -97,12 +106,14 @@ public:
       Summary sum = sum_before + m_items[item].own;
       if (m_items[item].child[0] != no_item)
         sum = sum + m_items[m_items[item].child[0]].all;
-      const bool is_true = holds(item, sum);
-      if (is_true) {
-        result = item;
+      if (holds(item, sum)) {
+        result.item = item;
         sum_before = sum;
+        item = m_items[item].child[1];
+      } else {
+        result.next = item;
+        item = m_items[item].child[0];
       }
-      item = m_items[item].child[is_true ? 1 : 0];
     }
     splay(last);
     return result;

@@ -152,25 +152,27 @@ private:
   // valleys.
   void zip(std::uint32_t node, Side_of_cycle side, std::uint32_t other_valley)
   {
+    std::uint32_t other_arc = m_forest.first_on_path(node, other_valley);
     for (;;) {
-      const std::uint32_t other_arc = m_forest.first_on_path(node, other_valley);
       if (m_arcs[other_arc].lower < m_arcs[side.arc].lower) {
         m_forest.remove(other_arc);
         m_forest.insert(side.arc);
+        std::swap(side.arc, other_arc);
         std::swap(side.valley, other_valley);
-        side.arc = other_arc;
       }
       const std::uint32_t lower = m_arcs[side.arc].lower;
       if (lower == other_valley) { // then it is the valley of both
         glue(side.arc, lower);
         return;
       }
-      node = m_forest.last_above(lower, node, other_valley);
-      glue(side.arc, node);
-      if (node == other_valley) {
+      const auto last = m_forest.last_above(lower, node, other_valley);
+      glue(side.arc, last.node);
+      if (last.node == other_valley) {
         m_forest.insert(side.arc);
         return;
       }
+      node = last.node;
+      other_arc = last.next_arc;
     }
   }
 
