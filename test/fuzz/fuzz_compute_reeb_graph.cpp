@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A target of libFuzzer: whatever the mesh and the function, the algorithms give one and the same graph,
-// which is that of the brute-force oracle and obeys the topology of the surface.
+// which is that of the brute-force oracle and obeys the topology of the surface, and simplification leaves
+// no small pair.
 //
 // Usage: fuzz_compute_reeb_graph [-runs=N] [-max_total_time=SECONDS] [-seed=N] [FILE of a failure]
 
@@ -10,6 +11,8 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/persistence.h>
+#include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -18,6 +21,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -27,6 +32,7 @@ using namespace Reeb_graph_test;
 namespace {
 
 using Algorithm = SMRG::Reeb_graph_algorithm;
+using Pair = SMRG::Persistence_pair<Graph>;
 
 void require(const bool condition, const char* const what)
 {
@@ -157,6 +163,8 @@ public:
             "plateaus have no loops");
     check_extrema(output.graph);
     check_topology(compute(m_values, true).graph);
+    for (const double threshold : {2., 5., std::numeric_limits<double>::infinity()})
+      check_simplification(threshold);
   }
 
   // There is no right graph: an error, or any graph, but an end.
@@ -211,6 +219,32 @@ private:
     for (const Mesh::Face_index f : m_mesh.faces())
       output.arc_of_face.push_back(m_face_arcs[f]);
     return output;
+  }
+
+  // The pairs of extrema below half of the threshold and the loops below it are gone.
+  void check_simplification(const double threshold)
+  {
+    Output output = compute(m_ranks, false, Algorithm::AUTOMATIC);
+    const std::size_t number_of_loops_before = number_of_loops(output.graph, m_dense.mesh);
+    SMRG::simplify_reeb_graph(m_mesh,
+                              m_ranks,
+                              output.graph,
+                              SMRG::parameters::vertex_arc_map(m_arcs)
+                                  .threshold_is_absolute(true)
+                                  .persistence_threshold(threshold / 2)
+                                  .loop_persistence_threshold(threshold));
+    output.arc_of_vertex.clear();
+    for (const Vertex v : m_dense.vertex)
+      output.arc_of_vertex.push_back(m_arcs[v]);
+    check_arcs_of_vertices(output);
+    require(number_of_loops(output.graph, m_dense.mesh) <= number_of_loops_before,
+            "simplification makes no loops");
+    std::vector<Pair> pairs;
+    SMRG::persistence_pairs(output.graph, std::back_inserter(pairs));
+    for (const Pair& pair : pairs)
+      require(pair.kind == SMRG::COMPONENT_PAIR ||
+                  pair.persistence() >= (pair.kind == SMRG::LOOP_PAIR ? threshold : threshold / 2),
+              "no small pair is left");
   }
 
   // Every vertex with edges is in one arc, and the two mappings say the same.
