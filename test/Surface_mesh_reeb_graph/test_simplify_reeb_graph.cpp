@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/close_loops.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Closed_loops.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 
@@ -121,14 +121,42 @@ std::size_t number_of_loops(const std::vector<Extended_pair>& pairs)
   return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_loop));
 }
 
-// Closes the loops of persistence below the threshold; `true` if that may have changed other pairs.
-bool close_loops(SMRG::internal::Folded_graph& folded,
-                 const std::vector<double>& values,
-                 const double threshold)
+// Closes the loops of persistence below the threshold.
+SMRG::internal::Closed_loops close_loops(SMRG::internal::Folded_graph& folded,
+                                         const std::vector<double>& values,
+                                         const double threshold)
 {
-  return SMRG::internal::close_loops(folded, true, [&](const SMRG::internal::Loop_pair& loop) {
+  return SMRG::internal::Closed_loops(folded, [&](const SMRG::internal::Loop_pair& loop) {
     return values[loop.merge] - values[loop.split] < threshold;
   });
+}
+
+// The arcs that points of a graph have gone to. A point is an arc and the node just below the point.
+std::vector<std::uint32_t> images_of(SMRG::internal::Folded_graph& folded,
+                                     const SMRG::internal::Closed_loops& closed_loops,
+                                     const std::vector<Rank_pair>& points)
+{
+  std::vector<SMRG::internal::Point_on_arc> images;
+  for (const Rank_pair& point : points)
+    images.emplace_back(static_cast<std::uint32_t>(point.first));
+  SMRG::internal::follow(
+      folded, closed_loops, images, [&](const std::uint32_t i, const std::uint32_t node) {
+        return points[i].second < node;
+      });
+  std::vector<std::uint32_t> result;
+  for (const SMRG::internal::Point_on_arc& image : images)
+    result.push_back(image.arc);
+  return result;
+}
+
+// All points of a graph, from the lowest to the highest of every arc.
+std::vector<Rank_pair> points_of(const std::vector<Rank_pair>& arcs)
+{
+  std::vector<Rank_pair> points;
+  for (std::size_t arc = 0; arc < arcs.size(); ++arc)
+    for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node)
+      points.emplace_back(arc, node);
+  return points;
 }
 
 // The arcs that are left when loops are closed.
@@ -432,7 +460,8 @@ BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
       const double threshold = random_unit(rng) * (values.back() + 1);
 
       SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
-      const bool have_other_pairs_changed = close_loops(folded, values, threshold);
+      const bool have_other_pairs_changed =
+          close_loops(folded, values, threshold).have_other_pairs_changed();
       const Left left = left_of(folded);
       const std::vector<Extended_pair> after = left.pairs();
       for (const Extended_pair& pair : after)
@@ -555,22 +584,17 @@ BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
         folded.run([&](const SMRG::internal::Extremum_pair& pair) {
           return pair.persistence < threshold;
         });
-      close_loops(folded, values, seed % 3 == 1 ? 0 : random_unit(rng) * (values.back() + 1));
+      const SMRG::internal::Closed_loops closed_loops =
+          close_loops(folded, values, seed % 3 == 1 ? 0 : random_unit(rng) * (values.back() + 1));
 
-      std::vector<Rank_pair> points; // an arc and the node just below the point
-      const std::vector<Rank_pair> arcs = arcs_of(graph);
-      for (std::size_t arc = 0; arc < arcs.size(); ++arc)
-        for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node)
-          points.emplace_back(arc, node);
+      std::vector<Rank_pair> points = points_of(arcs_of(graph));
       shuffle(points, rng);
-      for (const Rank_pair& point : points) {
-        const std::uint32_t image =
-            folded.arc_after(static_cast<std::uint32_t>(point.first),
-                             [&point](const std::uint32_t node) { return point.second < node; });
-        BOOST_TEST(folded.is_arc(image));
+      const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        BOOST_TEST(folded.is_arc(images[i]));
         if (has_only_loops) {
-          BOOST_TEST(folded.arcs()[image].lower <= point.second);
-          BOOST_TEST(folded.arcs()[image].upper > point.second);
+          BOOST_TEST(folded.arcs()[images[i]].lower <= points[i].second);
+          BOOST_TEST(folded.arcs()[images[i]].upper > points[i].second);
         }
       }
     }
@@ -607,36 +631,33 @@ BOOST_AUTO_TEST_CASE(the_fold_of_loops_is_a_quotient)
       const Graph graph = random_graph(rng, seed % 2 == 1);
       const std::vector<double> values = values_of(graph);
       SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
-      close_loops(folded, values, random_unit(rng) * (values.back() + 1));
+      const SMRG::internal::Closed_loops closed_loops =
+          close_loops(folded, values, random_unit(rng) * (values.back() + 1));
+      const std::vector<Rank_pair> arcs = arcs_of(graph), points = points_of(arcs);
+      const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
 
       // by node: the images of the ends of the arcs there
       std::vector<std::set<std::uint32_t>> images_at_node(values.size());
-      std::set<std::uint32_t> all_images;
-      const std::vector<Rank_pair> arcs = arcs_of(graph);
-      for (std::size_t arc = 0; arc < arcs.size(); ++arc) {
-        std::uint32_t last_image = SMRG::internal::no_arc;
-        for (std::size_t node = arcs[arc].first; node < arcs[arc].second; ++node) {
-          const std::uint32_t image =
-              folded.arc_after(static_cast<std::uint32_t>(arc),
-                               [node](const std::uint32_t other) { return node < other; });
-          all_images.insert(image);
-          if (node == arcs[arc].first)
-            images_at_node[node].insert(image);
-          else if (image != last_image) {
-            BOOST_TEST(folded.arcs()[last_image].upper == node);
-            BOOST_TEST(folded.arcs()[image].lower == node);
-          }
-          last_image = image;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Rank_pair& arc = arcs[points[i].first];
+        const std::size_t node = points[i].second;
+        if (node == arc.first)
+          images_at_node[node].insert(images[i]);
+        else if (images[i] != images[i - 1]) {
+          BOOST_TEST(folded.arcs()[images[i - 1]].upper == node);
+          BOOST_TEST(folded.arcs()[images[i]].lower == node);
         }
-        images_at_node[arcs[arc].second].insert(last_image);
+        if (node + 1 == arc.second)
+          images_at_node[node + 1].insert(images[i]);
       }
       for (std::uint32_t node = 0; node < values.size(); ++node) {
         const auto has_end_here = [&](const std::uint32_t image) {
           return folded.arcs()[image].lower == node || folded.arcs()[image].upper == node;
         };
-        const std::set<std::uint32_t>& images = images_at_node[node];
-        BOOST_TEST((images.size() <= 1 || std::all_of(images.begin(), images.end(), has_end_here)));
+        const std::set<std::uint32_t>& here = images_at_node[node];
+        BOOST_TEST((here.size() <= 1 || std::all_of(here.begin(), here.end(), has_end_here)));
       }
+      const std::set<std::uint32_t> all_images(images.begin(), images.end());
       BOOST_TEST(all_images.size() == left_of(folded).arcs.size());
     }
   }
@@ -983,28 +1004,30 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = static_cast<double>(i);
     SMRG::internal::Folded_graph folded(number_of_nodes, arc_ends_of(make_graph(values, arcs)));
-    close_loops(folded, values, infinity);
+    const SMRG::internal::Closed_loops closed_loops = close_loops(folded, values, infinity);
     const Left left = left_of(folded);
     BOOST_TEST(left.arcs.size() + 1 == left.nodes.size());
 
     std::mt19937 rng(1);
-    std::size_t number_of_wrong_heights = 0;
-    const auto check_point = [&](const std::size_t arc, const std::size_t node) {
-      const std::uint32_t image = folded.arc_after(
-          static_cast<std::uint32_t>(arc), [&](const std::uint32_t other) { return node < other; });
-      const Arc_ends& ends = folded.arcs()[image];
-      number_of_wrong_heights +=
-          folded.is_arc(image) && ends.lower <= node && node < ends.upper ? 0 : 1;
-    };
+    std::vector<Rank_pair> points;
     for (std::size_t arc = 0; arc < arcs.size(); ++arc)
       for (std::size_t i = 0; i < 3; ++i)
-        check_point(arc, arcs[arc].first + random_index(arcs[arc].second - arcs[arc].first, rng));
+        points.emplace_back(
+            arc, arcs[arc].first + random_index(arcs[arc].second - arcs[arc].first, rng));
     const auto is_shorter = [](const Rank_pair& a, const Rank_pair& b) {
       return a.second - a.first < b.second - b.first;
     };
     const auto longest = std::max_element(arcs.begin(), arcs.end(), is_shorter);
     for (std::size_t node = longest->first; node < longest->second; ++node)
-      check_point(static_cast<std::size_t>(longest - arcs.begin()), node);
+      points.emplace_back(static_cast<std::size_t>(longest - arcs.begin()), node);
+    const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
+    std::size_t number_of_wrong_heights = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Arc_ends& ends = folded.arcs()[images[i]];
+      const std::size_t node = points[i].second;
+      number_of_wrong_heights +=
+          folded.is_arc(images[i]) && ends.lower <= node && node < ends.upper ? 0 : 1;
+    }
     BOOST_TEST(number_of_wrong_heights == 0u);
     return left.nodes.size();
   };

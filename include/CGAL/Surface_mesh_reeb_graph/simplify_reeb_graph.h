@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/close_loops.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Closed_loops.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
@@ -109,56 +109,73 @@ void check_arc_numbers(const Range& keys,
   }
 }
 
-// The new number of the arc of every vertex or face, `no_arc` for those that have none, in the order of the range.
-template <class Range, class ArcMap, class NewArc>
-std::vector<std::uint32_t> new_arc_numbers(const Range& keys, ArcMap arc_map, const NewArc& new_arc)
+// Vertices on their way from arc to arc.
+template <class Vertex>
+struct Vertices_on_arcs
+{
+  void add(Vertex v, std::size_t arc)
+  {
+    vertices.push_back(v);
+    points.emplace_back(static_cast<std::uint32_t>(arc));
+  }
+
+  std::vector<Vertex> vertices;
+  std::vector<Point_on_arc> points;
+};
+
+// The vertices `vertex(key)` of all vertices or faces that have an arc in a map.
+template <class Vertex, class Range, class ArcMap, class VertexOfKey>
+Vertices_on_arcs<Vertex>
+read_arc_numbers(const Range& keys, ArcMap arc_map, const VertexOfKey& vertex)
 {
   using Number = typename boost::property_traits<ArcMap>::value_type;
-  std::vector<std::uint32_t> result;
+  Vertices_on_arcs<Vertex> result;
   for (const auto key : CGAL::make_range(keys)) {
     const Number arc = get(arc_map, key);
-    result.push_back(arc == static_cast<Number>(null_arc)
-                         ? no_arc
-                         : new_arc(key, static_cast<std::size_t>(arc)));
+    if (arc != static_cast<Number>(null_arc))
+      result.add(vertex(key), static_cast<std::size_t>(arc));
   }
   return result;
 }
 
+// Writes the arcs of all vertices or faces that have had one, in the same order.
 template <class Range, class ArcMap>
-void write_arc_numbers(const Range& keys, const std::vector<std::uint32_t>& numbers, ArcMap arc_map)
+void write_arc_numbers(const Range& keys, const std::vector<Point_on_arc>& points, ArcMap arc_map)
 {
   using Number = typename boost::property_traits<ArcMap>::value_type;
-  auto number = numbers.begin();
-  for (const auto key : CGAL::make_range(keys)) {
-    if (*number != no_arc)
-      put(arc_map, key, static_cast<Number>(*number));
-    ++number;
-  }
+  auto point = points.begin();
+  for (const auto key : CGAL::make_range(keys))
+    if (get(arc_map, key) != static_cast<Number>(null_arc))
+      put(arc_map, key, static_cast<Number>((point++)->arc));
 }
 
 // Simplifies a folded graph as simplify_reeb_graph() says.
 class Simplification
 {
 public:
-  // `remembers_arcs`: whether the folded graph is asked afterwards what became of the arcs.
   Simplification(const std::vector<double>& values,
                  const std::vector<Arc_ends>& ends,
-                 const Simplification_parameters& parameters,
-                 bool remembers_arcs)
-    : m_values(values)
-    , m_ends(ends)
-    , m_parameters(parameters)
-    , m_remembers_arcs(remembers_arcs)
-    , m_folded(values, ends)
+                 const Simplification_parameters& parameters)
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
   {}
 
-  Branch_cancellation& folded_graph() { return m_folded; }
+  const Folded_graph& folded_graph() const { return m_folded; }
 
   void run()
   {
     cancel_branches();
-    if (m_parameters.loop_threshold > 0 && close_loops())
-      cancel_branches();
+    if (m_parameters.loop_threshold > 0) {
+      close_loops();
+      if (m_closed_loops.have_other_pairs_changed())
+        cancel_branches();
+    }
+  }
+
+  // Moves points to the arcs that they belong to now. `is_below(i, node)` tells whether `points[i]` lies below a node.
+  template <class IsBelow>
+  void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
+  {
+    internal::follow(m_folded, m_closed_loops, points, is_below);
   }
 
 private:
@@ -168,11 +185,10 @@ private:
                                     : fractions_of_component_ranges(m_values, m_ends, threshold);
   }
 
-  // Returns whether pairs of extrema may have changed.
-  bool close_loops()
+  void close_loops()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
-    return internal::close_loops(m_folded, m_remembers_arcs, [&](const Loop_pair& loop) {
+    m_closed_loops = Closed_loops(m_folded, [&](const Loop_pair& loop) {
       return persistence_between(m_values[loop.split], m_values[loop.merge]) <
              thresholds[loop.merge];
     });
@@ -220,8 +236,8 @@ private:
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_ends;
   Simplification_parameters m_parameters;
-  bool m_remembers_arcs;
   Branch_cancellation m_folded;
+  Closed_loops m_closed_loops;
 };
 
 } // namespace internal
@@ -356,13 +372,10 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   internal::read_graph(graph, nodes, arcs, ends);
 
   const std::vector<double> values = internal::values_of_nodes(nodes);
-  const bool has_arc_vertices =
-      std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
-  const bool has_maps = has_arc_vertices || has_vertex_arc_map || has_face_arc_map;
-  internal::Simplification simplification(values, ends, parameters, has_maps);
+  internal::Simplification simplification(values, ends, parameters);
   simplification.run();
-  internal::Branch_cancellation& folded = simplification.folded_graph();
-  const internal::Remaining_graph remaining = internal::remaining_graph(folded, nodes.size());
+  const internal::Remaining_graph remaining =
+      internal::remaining_graph(simplification.folded_graph(), nodes.size());
 
   std::vector<Node> remaining_nodes;
   remaining_nodes.reserve(remaining.nodes.size());
@@ -371,17 +384,22 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   std::vector<Arc> remaining_arcs(remaining.arcs.size());
 
   // before anything is written
-  [[maybe_unused]] std::vector<std::uint32_t> vertex_arcs, face_arcs;
-  if (has_maps) {
+  using Vertices_on_arcs = internal::Vertices_on_arcs<vertex_descriptor>;
+  [[maybe_unused]] Vertices_on_arcs vertices_of_map, vertices_of_faces;
+  const bool has_arc_vertices =
+      std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
+  if (has_arc_vertices || has_vertex_arc_map || has_face_arc_map) {
     const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
     using VIM = std::decay_t<decltype(vertex_index_map)>;
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(
         tmesh, scalar_map, vertex_index_map);
 
-    const auto arc_after = [&](vertex_descriptor v, std::size_t arc) {
-      return remaining.position_of_arc[folded.arc_after(
-          static_cast<std::uint32_t>(arc),
-          [&](std::uint32_t node) { return order(v, nodes[node].vertex); })];
+    const auto move_to_new_arcs = [&](Vertices_on_arcs& list) {
+      simplification.follow(list.points, [&](std::uint32_t i, std::uint32_t node) {
+        return order(list.vertices[i], nodes[node].vertex);
+      });
+      for (internal::Point_on_arc& point : list.points)
+        point.arc = remaining.position_of_arc[point.arc];
     };
     // The vertices of the nodes that stay belong to an arc of the node whatever their old arc
     // became. Several nodes may lie at one vertex: it belongs to an arc of the first one.
@@ -392,9 +410,13 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
       if (arc == internal::no_arc)
         arc = remaining.first_arc_of_node[i];
     }
-    const auto new_arc = [&](vertex_descriptor v, std::size_t arc) {
-      const std::uint32_t arc_of_node = arc_of_node_vertex[get(vertex_index_map, v)];
-      return arc_of_node == internal::no_arc ? arc_after(v, arc) : arc_of_node;
+    const auto move_vertices_to_new_arcs = [&](Vertices_on_arcs& list) {
+      move_to_new_arcs(list);
+      for (std::size_t i = 0; i < list.points.size(); ++i) {
+        const std::uint32_t arc = arc_of_node_vertex[get(vertex_index_map, list.vertices[i])];
+        if (arc != internal::no_arc)
+          list.points[i].arc = arc;
+      }
     };
 
     if constexpr (has_vertex_arc_map)
@@ -409,24 +431,30 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
                                   "face");
 
     if (has_arc_vertices) {
+      Vertices_on_arcs list;
       for (std::size_t i = 0; i < arcs.size(); ++i)
         for (const vertex_descriptor v : arcs[i].vertices)
-          remaining_arcs[new_arc(v, i)].vertices.push_back(v);
+          list.add(v, i);
+      move_vertices_to_new_arcs(list);
+      for (std::size_t i = 0; i < list.points.size(); ++i)
+        remaining_arcs[list.points[i].arc].vertices.push_back(list.vertices[i]);
       for (Arc& arc : remaining_arcs)
         std::sort(arc.vertices.begin(), arc.vertices.end(), order);
     }
-    if constexpr (has_vertex_arc_map)
-      vertex_arcs =
-          internal::new_arc_numbers(vertices(tmesh),
-                                    internal::get_own_parameter(np, internal::tags::vertex_arc_map),
-                                    new_arc);
-    if constexpr (has_face_arc_map)
-      face_arcs = internal::new_arc_numbers(
+    if constexpr (has_vertex_arc_map) {
+      vertices_of_map = internal::read_arc_numbers<vertex_descriptor>(
+          vertices(tmesh),
+          internal::get_own_parameter(np, internal::tags::vertex_arc_map),
+          [](vertex_descriptor v) { return v; });
+      move_vertices_to_new_arcs(vertices_of_map);
+    }
+    if constexpr (has_face_arc_map) {
+      vertices_of_faces = internal::read_arc_numbers<vertex_descriptor>(
           faces(tmesh),
           internal::get_own_parameter(np, internal::tags::face_arc_map),
-          [&](face_descriptor f, std::size_t arc) {
-            return arc_after(internal::middle_vertex(f, tmesh, order), arc);
-          });
+          [&](face_descriptor f) { return internal::middle_vertex(f, tmesh, order); });
+      move_to_new_arcs(vertices_of_faces);
+    }
   }
   internal::write_graph(
       graph,
@@ -437,11 +465,12 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   // nothing can fail any more
   if constexpr (has_vertex_arc_map)
     internal::write_arc_numbers(vertices(tmesh),
-                                vertex_arcs,
+                                vertices_of_map.points,
                                 internal::get_own_parameter(np, internal::tags::vertex_arc_map));
   if constexpr (has_face_arc_map)
-    internal::write_arc_numbers(
-        faces(tmesh), face_arcs, internal::get_own_parameter(np, internal::tags::face_arc_map));
+    internal::write_arc_numbers(faces(tmesh),
+                                vertices_of_faces.points,
+                                internal::get_own_parameter(np, internal::tags::face_arc_map));
 }
 
 } // namespace Surface_mesh_reeb_graph

@@ -125,12 +125,14 @@ public:
     std::uint32_t node, next_arc; // `no_arc` at the end of the path
   };
 
-  // The last node above `bound` on a path downwards from one node to another one.
-  Node_on_path last_above(std::uint32_t bound, std::uint32_t node, std::uint32_t lower_node)
+  // The last node on a path downwards from one node to another one for which `holds(node)` is true. It must be true for
+  // the first one, and for no node below one for which it is not.
+  template <class Holds>
+  Node_on_path last_on_path_down(std::uint32_t node, std::uint32_t lower_node, const Holds& holds)
   {
     const auto last =
         m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
-          return (is_node(item) ? item : m_arcs[arc_of(item)].lower) > bound;
+          return holds(is_node(item) ? item : m_arcs[arc_of(item)].lower);
         });
     return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }

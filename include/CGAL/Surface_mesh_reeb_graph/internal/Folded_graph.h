@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_FOLDED_GRAPH_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Arc_point.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Point_on_arc.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Zipped_branches.h>
 
 #include <array>
@@ -25,8 +25,8 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
-// arcs are divided at the heights of nodes and go into other arcs. It remembers what became of every
-// arc, for the vertices of the mesh to follow. All changes of single arcs take constant time, also at
+// arcs go into other arcs. It remembers what became of every arc, for the vertices of the mesh to
+// follow. All changes of single arcs take constant time, also at
 // nodes with many arcs.
 class Folded_graph
 {
@@ -68,32 +68,39 @@ public:
   // The next arc on the same side of the same node.
   std::uint32_t next_arc(Side side, std::uint32_t arc) const { return m_links[arc][side].next; }
 
-  // The arc that a vertex belongs to which belonged to `arc` at the beginning. `is_below(node)`
-  // tells whether the vertex lies below a node.
+  // Moves a point to the arc that it belongs to now, or to one that is_glued_along_paths(). `is_below(node)` tells
+  // whether the vertex lies below a node.
   template <class IsBelow>
-  std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
+  void follow(Point_on_arc& point, const IsBelow& is_below)
   {
-    Arc_point<IsBelow> point(is_below);
+    Point_height<IsBelow> height(point, is_below);
     for (;;) {
-      Fate& fate = m_fates[arc];
-      if (fate.kind == STAYS)
-        return arc;
+      Fate& fate = m_fates[point.arc];
+      if (fate.kind == STAYS || fate.kind == IS_GLUED_ALONG_PATHS)
+        return;
       if (fate.kind == GOES_INTO) {
         Fate& next = m_fates[fate.arc];
         if (next.kind == GOES_INTO)
           fate = next; // halves the path for later queries
-        arc = fate.arc;
-      } else if (fate.kind == IS_DIVIDED) {
-        arc = point.is_below(fate.node) ? fate.arc : fate.upper_arc;
+        point.arc = fate.arc;
       } else {
         const Zipped_branches& branches = m_zipped_branches[fate.arc];
         if (fate.node == no_node)
-          point.move_into(m_arcs[arc]);
+          height.move_into(m_arcs[point.arc]);
         else
-          point.move_next_to(fate.node, branches.side());
-        arc = branches.arc_at(fate.position, point);
+          height.move_next_to(fate.node, branches.side());
+        point.arc = branches.arc_at(fate.position, height);
       }
     }
+  }
+
+  // The arc that a vertex belongs to which belonged to `arc` at the beginning, if no loops have been closed.
+  template <class IsBelow>
+  std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
+  {
+    Point_on_arc point(arc);
+    follow(point, is_below);
+    return point.arc;
   }
 
   // The arc that now has the end of `arc` on a side.
@@ -109,13 +116,17 @@ public:
 
   std::uint32_t add_arc(const Arc_ends& ends)
   {
-    const std::uint32_t arc = add_number(ends);
+    const std::uint32_t arc = static_cast<std::uint32_t>(m_arcs.size());
+    m_arcs.push_back(ends);
+    m_fates.emplace_back();
+    m_heirs.push_back({arc, arc});
+    m_links.emplace_back();
     attach(arc);
     return arc;
   }
 
-  // Removes an arc whose points are glued to points of `other`, which is `no_arc` if nobody will ask
-  // for them. Its ends have no heirs unless they are set.
+  // Removes an arc whose points are glued to points of `other`. Its ends have no heirs unless they
+  // are set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
     detach(arc);
@@ -146,18 +157,21 @@ public:
     m_zipped_branches.push_back(std::move(branches));
   }
 
-  // Returns a number for a sequence of two arcs, or of sequences, that meet in a node; arcs may go into it as into an
-  // arc.
-  std::uint32_t join(std::uint32_t lower_arc, std::uint32_t node, std::uint32_t upper_arc)
+  // Removes an arc that is glued along paths of several arcs. Others know which, by a number.
+  void glue_along_paths(std::uint32_t arc, std::uint32_t number)
   {
-    const std::uint32_t sequence = add_number({m_arcs[lower_arc].lower, m_arcs[upper_arc].upper});
-    Fate& fate = m_fates[sequence];
-    fate.kind = IS_DIVIDED;
-    fate.arc = lower_arc;
-    fate.upper_arc = upper_arc;
-    fate.node = node;
-    return sequence;
+    detach(arc);
+    m_fates[arc].kind = IS_GLUED_ALONG_PATHS;
+    m_fates[arc].arc = number;
   }
+
+  bool is_glued_along_paths(std::uint32_t arc) const
+  {
+    return m_fates[arc].kind == IS_GLUED_ALONG_PATHS;
+  }
+
+  // The number for the others.
+  std::uint32_t number_of_glued_arc(std::uint32_t arc) const { return m_fates[arc].arc; }
 
   // Removes a node that has no arcs any more.
   void remove_node(std::uint32_t node) { m_is_removed[node] = true; }
@@ -177,19 +191,17 @@ public:
   }
 
 private:
-  // What became of an arc: it stays; it went into another one; it is divided at a node into a lower and an upper arc;
-  // or it was zipped together with others, as a part of a branch.
-  enum Fate_kind { STAYS, GOES_INTO, IS_DIVIDED, IS_ZIPPED };
+  // What became of an arc: it stays; it went into another one; it was glued along paths of others; or it was zipped
+  // together with others, as a part of a branch.
+  enum Fate_kind { STAYS, GOES_INTO, IS_GLUED_ALONG_PATHS, IS_ZIPPED };
 
   struct Fate
   {
     Fate_kind kind = STAYS;
-    // the one it went into, or the lower one; or the number of the zipped branches
+    // the one it went into; or the number that others know; or the number of the zipped branches
     std::uint32_t arc = no_arc;
-    std::uint32_t upper_arc = no_arc;
     std::uint32_t position = no_arc; // in the zipped branches
-    // where it is divided; or the one that the points of a zipped arc go next to, if there is one
-    std::uint32_t node = no_node;
+    std::uint32_t node = no_node;    // that the points of a zipped arc go next to, if there is one
   };
 
   // The arcs on a side of a node are a linked list: nodes may have very many.
@@ -202,17 +214,6 @@ private:
   {
     std::uint32_t first = no_arc, last = no_arc, size = 0;
   };
-
-  // A number for an arc that is not there.
-  std::uint32_t add_number(const Arc_ends& ends)
-  {
-    const std::uint32_t arc = static_cast<std::uint32_t>(m_arcs.size());
-    m_arcs.push_back(ends);
-    m_fates.emplace_back();
-    m_heirs.push_back({arc, arc});
-    m_links.emplace_back();
-    return arc;
-  }
 
   void attach(std::uint32_t arc)
   {

@@ -25,6 +25,8 @@ namespace internal {
 class Graph_core
 {
 public:
+  Graph_core() = default;
+
   // Of `arcs` those count for which `is_arc(arc)` holds.
   template <class IsArc>
   Graph_core(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs, const IsArc& is_arc)

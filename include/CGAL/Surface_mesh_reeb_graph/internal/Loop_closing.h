@@ -165,7 +165,8 @@ private:
         glue(side.arc, lower);
         return;
       }
-      const auto last = m_forest.last_above(lower, node, other_valley);
+      const auto last = m_forest.last_on_path_down(
+          node, other_valley, [lower](std::uint32_t other) { return other > lower; });
       glue(side.arc, last.node);
       if (last.node == other_valley) {
         m_forest.insert(side.arc);
