@@ -4,7 +4,7 @@
 // Time of the simplification of Reeb graphs, beside the floor: a copy of the graph, which reads and writes all of it.
 //
 // Graphs that a simplification which passes arcs or nodes again and again takes quadratic time for, from 10 thousand to
-// a million nodes, and Reeb graphs of noise on meshes of up to 4 million triangles. Benchmarks are named graph/nodes and
+// a million nodes, and Reeb graphs of noise on meshes of up to 4 million triangles. Benchmarks are named graph/what/nodes and
 // noise_on_mesh/triangles/what, for --benchmark_filter. The floor and what is compared with it take turns, and the least time of each counts. The counters:
 //   arcs          of the graph
 //   arcs_left     of the simplified graph
@@ -31,7 +31,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -215,32 +214,75 @@ void measure(benchmark::State& state,
   state.counters["ns_per_m_log"] = least * 1e9 / (m * std::log2(m));
 }
 
+// The vertices of the nodes, and one somewhere on every arc.
+struct Vertices_of_graph
+{
+  Mesh mesh;
+  std::vector<double> values;
+  std::vector<std::size_t> arcs;
+
+  explicit Vertices_of_graph(const Graph& graph)
+  {
+    for (const auto node : CGAL::make_range(vertices(graph))) {
+      mesh.add_vertex();
+      values.push_back(graph[node].value);
+      arcs.push_back(SMRG::null_arc);
+    }
+    std::mt19937_64 generator(1);
+    std::uniform_real_distribution<double> height(0, 1);
+    for (const auto arc : CGAL::make_range(edges(graph))) {
+      const double lower = graph[source(arc, graph)].value, upper = graph[target(arc, graph)].value;
+      mesh.add_vertex();
+      values.push_back(lower + height(generator) * (upper - lower));
+      arcs.push_back(graph[arc].id);
+      for (const auto node : {source(arc, graph), target(arc, graph)})
+        if (arcs[node] == SMRG::null_arc)
+          arcs[node] = graph[arc].id;
+    }
+  }
+};
+
+template <bool has_map>
+void measure_graph(benchmark::State& state,
+                   Graph (*make)(std::size_t),
+                   const double threshold_per_node,
+                   const double loop_threshold)
+{
+  const Graph graph = make(std::size_t(state.range(0)));
+  const Vertices_of_graph all_vertices(graph);
+  const auto scalar_map = CGAL::make_property_map(all_vertices.values);
+  std::vector<std::size_t> arcs_of_copy;
+  const auto parameters = SMRG::parameters::threshold_is_absolute(true)
+                              .persistence_threshold(threshold_per_node * double(state.range(0)))
+                              .loop_persistence_threshold(loop_threshold);
+  const auto simplify = [&](Graph& copy) {
+    if constexpr (has_map)
+      SMRG::simplify_reeb_graph(all_vertices.mesh,
+                                scalar_map,
+                                copy,
+                                parameters.vertex_arc_map(CGAL::make_property_map(arcs_of_copy)));
+    else
+      SMRG::simplify_reeb_graph(all_vertices.mesh, scalar_map, copy, parameters);
+  };
+  measure(state, graph, simplify, [&]() { arcs_of_copy = all_vertices.arcs; });
+}
+
 void add_graph(const std::string& name,
-               const std::function<Graph(std::size_t)>& make,
+               Graph (*make)(std::size_t),
                const double threshold_per_node,
                const double loop_threshold)
 {
-  benchmark::RegisterBenchmark(
-      name.c_str(),
-      [make, threshold_per_node, loop_threshold](benchmark::State& state) {
-        const Graph graph = make(std::size_t(state.range(0)));
-        const double threshold = threshold_per_node * double(state.range(0));
-        const Mesh mesh;
-        const auto simplify = [&](Graph& copy) {
-          SMRG::simplify_reeb_graph(mesh,
-                                    CGAL::Constant_property_map<Mesh::Vertex_index, double>(),
-                                    copy,
-                                    SMRG::parameters::threshold_is_absolute(true)
-                                        .persistence_threshold(threshold)
-                                        .loop_persistence_threshold(loop_threshold));
-        };
-        measure(state, graph, simplify, []() {});
-      })
-      ->RangeMultiplier(10)
-      ->Range(10000, 1000000)
-      ->Complexity(benchmark::oNLogN)
-      ->UseManualTime()
-      ->Unit(benchmark::kMillisecond);
+  const auto add = [&](const char* what, const auto& measure_it) {
+    benchmark::RegisterBenchmark(
+        (name + what).c_str(), measure_it, make, threshold_per_node, loop_threshold)
+        ->RangeMultiplier(10)
+        ->Range(10000, 1000000)
+        ->Complexity(benchmark::oNLogN)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("/graph", measure_graph<false>);
+  add("/graph_and_vertices", measure_graph<true>);
 }
 
 // The Reeb graph of noise on a mesh; all branches and loops below half of the range go.

@@ -444,6 +444,34 @@ BOOST_AUTO_TEST_CASE(small_loops_are_closed)
   BOOST_TEST((closed({0, 1, 2, 3, 4, 5}, nested, 2) == Arcs{{0, 1}, {1, 4}, {1, 4}, {4, 5}}));
 }
 
+// Relative thresholds are fractions of the range of the component, without what is infinite; loops of infinite persistence
+// are never small.
+BOOST_AUTO_TEST_CASE(loop_thresholds_are_those_of_the_component)
+{
+  const Mesh no_mesh;
+  const Value_map no_values;
+  const auto number_of_arcs_left = [&](const std::vector<double>& values,
+                                       const std::vector<Rank_pair>& arcs,
+                                       const double threshold) {
+    Graph graph = make_graph(values, arcs);
+    SMRG::simplify_reeb_graph(
+        no_mesh, no_values, graph, SMRG::parameters::loop_persistence_threshold(threshold));
+    return num_edges(graph);
+  };
+  // two tori, the loop of one a third of its range, that of the other four fifths
+  const std::vector<Rank_pair> tori = {
+      {0, 1}, {1, 2}, {1, 2}, {2, 3}, {4, 5}, {5, 6}, {5, 6}, {6, 7}};
+  const std::vector<double> values = {0, 1, 2, 3, 100, 110, 190, 200};
+  BOOST_TEST(number_of_arcs_left(values, tori, 0.3) == 8u);
+  BOOST_TEST(number_of_arcs_left(values, tori, 0.5) == 5u);
+  BOOST_TEST(number_of_arcs_left(values, tori, 0.9) == 2u);
+  // the range of the finite values is that of the loop
+  const std::vector<Rank_pair> torus = {{0, 1}, {1, 2}, {1, 2}, {2, 3}};
+  BOOST_TEST(number_of_arcs_left({-infinity, 0, 1, infinity}, torus, 0.9) == 4u);
+  BOOST_TEST(number_of_arcs_left({-infinity, 0, 1, infinity}, torus, 1.1) == 1u);
+  BOOST_TEST(number_of_arcs_left({0, 1, infinity, infinity}, torus, infinity) == 4u);
+}
+
 // Loops on their own, with the extrema that there are: if the cycles have monotone sides, exactly the
 // small loops go and nothing else changes. If not, no small loop is left either, and the branches of
 // extrema get shorter, by less than the threshold for every closed loop.
@@ -482,19 +510,26 @@ BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
       ++number_of_other_cases;
       const std::size_t number_of_closed_loops = number_of_loops(before) - number_of_loops(after);
       BOOST_TEST(number_of_closed_loops > 0u);
+      const auto with_same_birth = [](const std::vector<Extended_pair>& pairs,
+                                      const Extended_pair& pair) {
+        return std::find_if(pairs.begin(), pairs.end(), [&pair](const Extended_pair& other) {
+          return other.kind == pair.kind && other.dimension == pair.dimension &&
+                 other.birth == pair.birth;
+        });
+      };
       for (const Extended_pair& pair : before) {
         if (is_loop(pair))
           continue;
-        const auto same_birth = [&pair](const Extended_pair& other) {
-          return other.kind == pair.kind && other.dimension == pair.dimension &&
-                 other.birth == pair.birth;
-        };
-        const auto found = std::find_if(after.begin(), after.end(), same_birth);
+        const auto found = with_same_birth(after, pair);
         const double persistence = found == after.end() ? 0 : persistence_of(*found, values);
         BOOST_TEST(persistence <= persistence_of(pair, values));
         BOOST_TEST(persistence >= persistence_of(pair, values) -
                                       static_cast<double>(number_of_closed_loops) * threshold);
+        if (pair.kind == EXTENDED) // a component
+          BOOST_TEST(persistence == persistence_of(pair, values));
       }
+      for (const Extended_pair& pair : after)
+        BOOST_TEST((is_loop(pair) || with_same_birth(before, pair) != before.end()));
     }
   }
   if (number_of_random_cases() >= 100) {

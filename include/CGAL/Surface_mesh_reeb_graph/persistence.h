@@ -170,8 +170,10 @@ reported.
 If the function is reversed, the graph is upside down: the pairs of minima and maxima change places,
 and those of components and loops their ends.
 
-The loops are found in one pass upwards, as in \cgalCite{tu_2019}, but in amortized O(log m) time
-each: by a maximum spanning forest of the arcs so far, in a link-cut tree (\cgalCite{sleator_1985}).
+The loops are found in one pass downwards, in amortized O(log m) time each: by a spanning forest of
+the arcs so far that is a minimum one with respect to their upper nodes, in a link-cut tree
+(\cgalCite{sleator_1985}). (Without such a tree, and upside down, it is the pass of
+\cgalCite{tu_2019}.)
 
 \tparam Graph a model of `VertexListGraph` and `EdgeListGraph` with bundled properties that have (at
         least) the members `id` and `value` of `Reeb_node` and `id` of `Reeb_arc`; for example any

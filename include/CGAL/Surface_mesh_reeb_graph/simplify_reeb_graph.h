@@ -260,14 +260,15 @@ the highest maximum of a component always stay.
 below that threshold are closed, those with the highest splits first: the cycle of the pair of split
 and merge (of those that the split completes one whose highest node, the merge, lies lowest) is
 folded flat, from its highest node downwards, so that points of the same height become one; what
-hung on the cycle hangs on the fold, at the same height. Every closed loop makes the number of loops
+hung on the cycle hangs on the fold, at the same height. (Loops of infinite persistence stay.) Every closed loop makes the number of loops
 smaller by exactly one, and none of persistence below the threshold is left.
 
 - If the function is monotone on both sides of the cycle, from the merge to the split, then closing
   the loop takes away its pair and changes no other pair, neither of extrema nor of loops.
 - Otherwise the cycle has peaks and valleys: nodes on it where branches or other loops leave in the
-  wrong direction, and no fold is that exact. Every such peak is folded down to the higher one of the
-  valleys beside it. The pairs of extrema may then change, each by at most the persistence of the
+  wrong direction, and no fold is that exact. One peak after the other is folded down to the higher
+  one of the valleys that are beside it then, and what is above that valley stays as a branch
+  upwards. The pairs of extrema may then change, each by at most the persistence of the
   loop, and always towards smaller persistence; other loops may change as well. Loops and branches
   that fall below their thresholds thereby are taken away, too.
 
@@ -333,7 +334,7 @@ new.
 Takes O(m log m) time for a graph with *m* nodes and arcs. To close *h* loops, on whose cycles are *p*
 peaks beside the merges, takes O((m + h + p) log<sup>2</sup> m) time, however long the cycles are
 (\cgalCite{georgiadis_2011}). If there is anything to bring up to date for *n* vertices or faces,
-O(n log m) more.
+O(n log m) more, or O(n log n) if `Reeb_arc::vertices` has been filled.
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or

@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LINK_CUT_FOREST_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_LINK_CUT_FOREST_H
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +28,7 @@ namespace internal {
 // every path is kept in a splay tree.
 //
 // `Summary` says what is known of a set of numbers: its default value, for the empty set, is neutral in the sum of two,
-// which is associative and commutative.
+// which is associative and commutative (or may depend on the order where several results will do).
 template <class Summary>
 class Link_cut_forest
 {
@@ -55,6 +57,7 @@ public:
   {
     make_path(x, y);
     splay(item);
+    CGAL_assertion(m_items[item].child[0] == x && m_items[item].child[1] == y);
     for (std::uint32_t& child : m_items[item].child) {
       m_items[child].parent = no_item;
       child = no_item;
@@ -69,9 +72,10 @@ public:
     return m_items[y].all;
   }
 
-  // The item next to `x` on the path to another one of its tree.
+  // The item next to `x` on the path to `y`, another item of its tree.
   std::uint32_t second_on_path(std::uint32_t x, std::uint32_t y)
   {
+    CGAL_assertion(x != y);
     make_path(x, y);
     splay(x);
     std::uint32_t item = m_items[x].child[1];
@@ -125,7 +129,7 @@ private:
     // in the splay tree, or, from its root, the item that the path hangs on
     std::uint32_t parent = no_item;
     std::array<std::uint32_t, 2> child = {no_item, no_item};
-    bool is_reversed = false; // the subtree, but for the order of the children here
+    bool is_reversed = false; // the subtree is to be read backwards, which has not been done yet
     Summary own, all;         // of the item, and of the subtree
   };
 

@@ -50,9 +50,10 @@ struct Glued_part
 // other pairs may change: two points of the same height are glued that were connected only along the cycle, so two
 // components of sublevel or superlevel sets may become one earlier, by no more than the persistence of the loop.
 //
-// The loops are closed in the order of their splits, from the highest one on, and no small loop comes up later. For a
-// zip changes the highest node of a cycle only if this is a peak that is zipped, and never raises the lowest one; a
-// small loop that came about with a split at or above s would have been a small loop before.
+// The loops are closed in the order of their splits, from the highest one on, and no small loop comes up later. Before an
+// arc comes there is no small loop at all, and two through the arc would differ by one without it; so there is at most one.
+// To close it changes the highest node of another cycle only if this is a peak that is zipped, which lies at or below m,
+// and never raises the lowest one; a cycle that gets small thereby lay between s and m before, and was small.
 //
 // A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie above its lower end
 // at once. The logarithms of the lengths of all arcs, measured in nodes, bound the number of changes from one side to
@@ -61,6 +62,9 @@ struct Glued_part
 class Loop_closing
 {
 public:
+  Loop_closing(const Loop_closing&) = delete; // the forest refers to the arcs
+  Loop_closing& operator=(const Loop_closing&) = delete;
+
   // The nodes are numbered from the lowest to the highest.
   Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
     : m_arcs(arcs)
@@ -68,8 +72,8 @@ public:
     , m_sorted(sorted_downwards(number_of_nodes, arcs))
   {}
 
-  // Closes the loops for which `is_small(pair)` holds. If it does, it must for all pairs of the same component that lie
-  // between the two nodes.
+  // Closes the loops for which `is_small(pair)` holds. If it holds for a pair, it must hold for all pairs of the same
+  // component that lie between the two nodes.
   template <class IsSmall>
   void run(const IsSmall& is_small)
   {
