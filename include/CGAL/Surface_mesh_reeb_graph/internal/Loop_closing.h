@@ -67,9 +67,7 @@ public:
 
   // The nodes are numbered from the lowest to the highest.
   Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
-    : m_arcs(arcs)
-    , m_forest(number_of_nodes, m_arcs)
-    , m_sorted(sorted_downwards(number_of_nodes, arcs))
+    : m_number_of_nodes(number_of_nodes), m_arcs(arcs), m_forest(number_of_nodes, m_arcs)
   {}
 
   // Closes the loops for which `is_small(pair)` holds. If it holds for a pair, it must hold for all pairs of the same
@@ -77,7 +75,7 @@ public:
   template <class IsSmall>
   void run(const IsSmall& is_small)
   {
-    for (const std::uint32_t arc : m_sorted) {
+    for (const std::uint32_t arc : sorted_downwards(m_number_of_nodes, m_arcs)) {
       const std::uint32_t highest = m_forest.add(arc);
       if (highest != no_arc && is_small(Loop_pair{m_arcs[arc].lower, m_arcs[highest].upper}))
         close(highest, m_arcs[arc].lower);
@@ -86,9 +84,6 @@ public:
 
   // What is left of every arc. If nothing is, the ends are the same.
   const std::vector<Arc_ends>& arcs() const { return m_arcs; }
-
-  // All arcs, from the highest lower node to the lowest one.
-  const std::vector<std::uint32_t>& sorted_arcs() const { return m_sorted; }
 
   // Those of an arc from the highest to the lowest. Between two nodes there is only one path downwards that they can
   // have been glued to.
@@ -189,9 +184,9 @@ private:
     m_arcs[arc].upper = node;
   }
 
+  std::size_t m_number_of_nodes;
   std::vector<Arc_ends> m_arcs;
   Arc_forest<Summary> m_forest;
-  std::vector<std::uint32_t> m_sorted;
   std::vector<Glued_part> m_glued_parts;
   bool m_have_other_pairs_changed = false;
   std::vector<std::uint32_t> m_turns; // of the path whose peaks are closed
