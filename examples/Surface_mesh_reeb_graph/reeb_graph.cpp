@@ -7,6 +7,7 @@
 #include "reeb_graph_tool/types.h"
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh_reeb_graph/IO/persistence_diagram.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/feature_points.h>
@@ -21,6 +22,7 @@
 #include <iterator>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -103,25 +105,34 @@ void run(const Options& options, Result& result)
   result.arcs = result.mesh.add_property_map<vertex_descriptor, int>("v:arc", -1).first;
 
   compute_function(options, result, progress);
-  const auto graph_parameters =
-      SMRG::parameters::vertex_arc_map(result.arcs).collect_arc_vertices(true);
+  const auto graph_parameters = SMRG::parameters::vertex_arc_map(result.arcs)
+                                    .collect_arc_vertices(true)
+                                    .unfold_multiple_saddles(options.unfold);
   timed(result.seconds.reeb_graph, progress, "computing the Reeb graph", [&]() {
     SMRG::compute_reeb_graph(result.mesh, result.values, result.graph, graph_parameters);
   });
   std::vector<std::size_t> components(num_vertices(result.graph));
   result.number_of_components =
       static_cast<std::size_t>(boost::connected_components(result.graph, components.data()));
+  if (!options.diagram.empty()) {
+    std::ostringstream diagram;
+    SMRG::IO::write_persistence_diagram(diagram, result.graph);
+    result.diagram = diagram.str();
+  }
   timed(result.seconds.simplify, progress, "simplifying the Reeb graph", [&]() {
     SMRG::simplify_reeb_graph(result.mesh,
                               result.values,
                               result.graph,
-                              graph_parameters.persistence_threshold(options.simplify));
+                              graph_parameters.persistence_threshold(options.simplify)
+                                  .loop_persistence_threshold(options.close_loops)
+                                  .number_of_leaves(options.leaves));
   });
-  if (!options.output.empty()) {
-    timed(result.seconds.write, progress, "writing the results", [&]() {
+  timed(result.seconds.write, progress, "writing the results", [&]() {
+    if (!options.output.empty())
       write_results(result, options.output);
-    });
-  }
+    if (!options.diagram.empty())
+      write_file(options.diagram, [&](std::ostream& out) { out << result.diagram; });
+  });
 }
 
 int main(int argc, char* argv[])

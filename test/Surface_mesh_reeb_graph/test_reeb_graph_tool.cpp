@@ -390,6 +390,9 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
   check_error(folder, mesh + "--eigenpairs 0", {"--eigenpairs"});
   check_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
   check_error(folder, mesh + "--simplify -0.1", {"--simplify"});
+  check_error(folder, mesh + "--close-loops nan", {"--close-loops"});
+  check_error(folder, mesh + "--leaves -1", {"--leaves"});
+  check_error(folder, mesh + "--diagram '" + folder.file("no/such/x.pers") + "'", {"x.pers"});
   check_error(folder, mesh + "--small-time nan", {"--small-time"});
   check_error(folder, mesh + "--large-time -1", {"--large-time"});
   check_error(folder, mesh + "--report xml", {"xml"});
@@ -403,12 +406,39 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
                                    "--index",
                                    "--values",
                                    "--simplify",
+                                   "--close-loops",
+                                   "--leaves",
+                                   "--unfold",
+                                   "--diagram",
                                    "--eigenpairs",
                                    "--small-time",
                                    "--large-time",
                                    "--output",
                                    "--report"})
     BOOST_TEST(count(help.out, option + " ") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(options_of_the_graph_arrive)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", torus(30, 14)) + "' ";
+  std::mt19937 rng(1);
+  std::string noise;
+  for (int i = 0; i < 420; ++i)
+    noise += std::to_string(random_unit(rng)) + '\n';
+  const std::string noisy = mesh + "--values '" + folder.write("noise.txt", noise) + "' ";
+
+  const nlohmann::json graph =
+      report(folder, noisy + "--unfold --diagram '" + folder.file("pairs.pers") + "'");
+  BOOST_TEST(graph["loops"] == 1);
+  // two nodes make a pair
+  const std::string pairs = content(folder.file("pairs.pers"));
+  BOOST_TEST(count(pairs, "\n") - count(pairs, "#") == graph["nodes"].get<std::size_t>() / 2);
+
+  const nlohmann::json few_leaves = report(folder, noisy + "--unfold --leaves 5");
+  BOOST_TEST(few_leaves["minima"].get<int>() + few_leaves["maxima"].get<int>() == 5);
+  BOOST_TEST(few_leaves["loops"] == 1);
+  BOOST_TEST(report(folder, noisy + "--unfold --close-loops 2")["loops"] == 0);
 }
 
 BOOST_AUTO_TEST_CASE(options_of_the_spectral_functions_arrive)

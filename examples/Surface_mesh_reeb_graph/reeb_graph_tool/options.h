@@ -35,6 +35,8 @@ inline void check_options(const Options& options)
   require(options.index >= 1, "--index must be at least 1");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
   require(options.simplify >= 0, "--simplify must not be negative");
+  require(options.close_loops >= 0, "--close-loops must not be negative");
+  require(options.leaves >= 0, "--leaves must not be negative");
   require(is_time(options.small_time), "--small-time must be finite and not negative");
   require(is_time(options.large_time), "--large-time must be finite and not negative");
 }
@@ -64,6 +66,17 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "simplify",
       po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
       "cancel branches shorter than this fraction of the function's range")(
+      "close-loops",
+      po::value(&options.close_loops)
+          ->value_name("FRACTION")
+          ->default_value(options.close_loops, "0"),
+      "close loops lower than this fraction of the function's range")(
+      "leaves",
+      po::value(&options.leaves)->value_name("N"),
+      "cancel more branches until no more than N minima and maxima are left")(
+      "unfold",
+      po::bool_switch(&options.unfold),
+      "make simple saddles of multiple ones: then there is a loop for every handle")(
       "eigenpairs",
       po::value(&options.eigenpairs)->value_name("N")->default_value(options.eigenpairs),
       "how many eigenfunctions commute_time uses")(
@@ -76,9 +89,12 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "output",
       po::value(&options.output)->value_name("PREFIX"),
       "write PREFIX.values.txt, .graphml, .dot, .polylines.txt, .ply and .vtp")(
-      "report",
-      po::value(&report)->value_name("text|json")->default_value(report),
-      "what to print");
+      "diagram",
+      po::value(&options.diagram)->value_name("FILE"),
+      "write the persistence diagram of the graph before it is simplified, as text that GUDHI "
+      "reads")("report",
+               po::value(&report)->value_name("text|json")->default_value(report),
+               "what to print");
   po::options_description all;
   all.add(visible).add_options()("mesh", po::value(&options.mesh_file));
   po::positional_options_description positions;

@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,11 +35,15 @@ struct Options
   std::string function = "commute_time";
   std::array<double, 3> axis = {0, 0, 1};
   int index = 1;
+  bool unfold = false;
   double simplify = 0;
+  double close_loops = 0;
+  int leaves = (std::numeric_limits<int>::max)();
   int eigenpairs = 50;
   double small_time = 1.5;
   double large_time = 20;
-  std::string output; // empty: no files are written
+  std::string output;  // empty: no files are written
+  std::string diagram; // empty: it is not written
   bool json = false;
 };
 
@@ -50,6 +55,7 @@ struct Result
   Value_map values;
   Arc_map arcs;
   Graph graph;
+  std::string diagram; // of the graph before it is simplified
   std::vector<vertex_descriptor> feature_points;
   std::vector<std::vector<double>> eigenvalues; // by component
   struct
