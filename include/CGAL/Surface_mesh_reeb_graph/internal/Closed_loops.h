@@ -70,7 +70,7 @@ public:
       };
       return Point_height(points[i], is_this_vertex_below).is_below(node);
     };
-    // of those that do not lie in what is left of their arc the parts
+    // of those that do not lie in what is left of their arc, and the parts that they lie in
     std::vector<std::uint32_t> positions_in_parts;
     std::vector<Arc_ends> parts;
     for (const std::uint32_t i : positions) {
@@ -145,10 +145,9 @@ private:
 
   Graph_core m_core;
   bool m_have_other_pairs_changed = false;
-  std::vector<Arc_ends> m_arcs;         // of the core: what is left of them
-  std::vector<std::uint32_t> m_numbers; // by arc: that of what is left, in the folded graph
-  std::vector<Arc_ends>
-      m_parts; // the glued parts of all arcs, from the highest to the lowest of each
+  std::vector<Arc_ends> m_arcs;            // of the core: what is left of them
+  std::vector<std::uint32_t> m_numbers;    // by arc: that of what is left, in the folded graph
+  std::vector<Arc_ends> m_parts;           // by arc, from the highest part to the lowest one
   std::vector<std::uint32_t> m_first_part; // by arc, and the number of all parts
 };
 
