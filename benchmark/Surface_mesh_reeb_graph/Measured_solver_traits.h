@@ -35,8 +35,8 @@ struct Direct_solver_times
 };
 inline Direct_solver_times direct_solver_times;
 
-// Does what `Traits`, a model of `SparseLinearAlgebraWithFactorTraits_d`, does, and takes the time. Blocks of
-// right-hand sides go where the eigensolvers send them.
+// Does what `Traits`, a model of `SparseLinearAlgebraWithFactorTraits_d`, does, and takes the time.
+// Blocks of right-hand sides go where the eigensolvers send them.
 template <class Traits>
 class Measured_solver_traits
 {

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time of the spectral distances over a whole mesh, for eigenfunctions kept in `double` and in `float`, beside the
-// floor: one pass over the matrix of the eigenfunctions, which adds up its numbers.
+// Time of the spectral distances over a whole mesh, for eigenfunctions kept in `double` and in
+// `float`, beside the floor: one pass over the matrix of the eigenfunctions, which adds up its
+// numbers.
 //
 // The floor and what is compared with it take turns, and the least time of each counts. Benchmarks are named
 // what/number type, for --benchmark_filter. The counters:
@@ -75,8 +76,8 @@ double largest_difference(const Values& values, const Values& expected)
   return result / largest;
 }
 
-// Measures `task(basis, values)`, whose result is compared with that for `exact_basis` if it fills the values.
-// `flops` are operations per number of the matrix.
+// Measures `task(basis, values)`, whose result is compared with that for `exact_basis` if it fills
+// the values. `flops` are operations per number of the matrix.
 template <class Number, class Task>
 void measure(benchmark::State& state,
              const Basis<Number>& basis,

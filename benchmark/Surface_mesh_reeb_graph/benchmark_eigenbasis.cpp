@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time and memory of Laplace_beltrami_eigenbasis with 50 eigenpairs, and where the time goes, beside other
-// eigensolvers and direct solvers that find the same eigenpairs with the same tolerance.
+// Time and memory of Laplace_beltrami_eigenbasis with 50 eigenpairs, and where the time goes,
+// beside other eigensolvers and direct solvers that find the same eigenpairs with the same
+// tolerance.
 //
 // Benchmarks are named irregular/vertices/solver, for --benchmark_filter. With --benchmark_repetitions
 // and --benchmark_enable_random_interleaving the solvers take turns; the fastest run of each counts. The counters, in
@@ -236,8 +237,8 @@ bool read_options(int argc, char* argv[], Options& options)
   return true;
 }
 
-// The threads of CHOLMOD and of its BLAS wait for each other busily, which takes many times longer where
-// other programs run; and one thread is compared with one thread.
+// The threads of CHOLMOD and of its BLAS wait for each other busily, which takes many times longer
+// where other programs run; and one thread is compared with one thread.
 void use_one_thread()
 {
 #ifdef _OPENMP

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time and memory of compute_reeb_graph() for a scalar function that is given, beside the floor (one pass
-// over the faces that reads the three values of each and counts its middle vertex) and beside VTK.
+// Time and memory of compute_reeb_graph() for a scalar function that is given, beside the floor
+// (one pass over the faces that reads the three values of each and counts its middle vertex) and
+// beside VTK.
 //
 // The floor and what is compared with it take turns on the same mesh, and the least time of each
 // counts, so that a machine that has other things to do spoils the ratios little.
@@ -80,7 +81,8 @@ struct Input
   std::vector<double> values;
 };
 
-// Benchmarks of the same input follow each other: one is kept, and its mesh if only the function changes.
+// Benchmarks of the same input follow each other: one is kept, and its mesh if only the function
+// changes.
 const Input& input_for(const Row_key& key)
 {
   static Input input{{mesh_families.size(), 0, SMOOTH}, {}, {}};

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time of the simplification of Reeb graphs, beside the floor: a copy of the graph, which reads and writes all of it.
+// Time of the simplification of Reeb graphs, beside the floor: a copy of the graph, which reads and
+// writes all of it.
 //
 // Graphs that a simplification which passes arcs or nodes again and again takes quadratic time for, from 10 thousand to
 // a million nodes, and Reeb graphs of noise on meshes of up to 4 million triangles. Benchmarks are named graph/what/nodes and
@@ -47,7 +48,8 @@ using Arcs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 // ---- graphs ---------------------------------------------------------------------------------------
 
-// The values of the nodes are their numbers, those from `first_high_node` on are far above all others.
+// The values of the nodes are their numbers, those from `first_high_node` on are far above all
+// others.
 Graph make_graph(const std::size_t number_of_nodes,
                  const Arcs& arcs,
                  const std::size_t first_high_node)
@@ -78,7 +80,8 @@ void hang_on(Arcs& arcs,
     arcs.emplace_back((std::minmax)(first_node + i, first_extremum + i));
 }
 
-// Maxima that stay hang on the highest minimum; zipped one after the other, all minima would hand them on to the next.
+// Maxima that stay hang on the highest minimum; zipped one after the other, all minima would hand
+// them on to the next.
 Graph branches_handed_on(const std::size_t number_of_nodes)
 {
   const std::size_t n = number_of_nodes / 4;
@@ -144,7 +147,8 @@ Graph random_cycles(const std::size_t n)
   return make_graph(n, arcs, n);
 }
 
-// The number whose binary digits are those of another one below `bound`, a power of two, in reverse order.
+// The number whose binary digits are those of another one below `bound`, a power of two, in reverse
+// order.
 std::size_t reversed_bits(std::size_t number, std::size_t bound)
 {
   std::size_t result = 0;
@@ -155,8 +159,9 @@ std::size_t reversed_bits(std::size_t number, std::size_t bound)
   return result;
 }
 
-// Paths of 8 nodes each from one node down, the nodes of all paths in turn. They meet in pairs, the pairs meet in pairs, and
-// so on: when two bundles are zipped together their nodes take turns, which is as often as can be.
+// Paths of 8 nodes each from one node down, the nodes of all paths in turn. They meet in pairs, the
+// pairs meet in pairs, and so on: when two bundles are zipped together their nodes take turns,
+// which is as often as can be.
 Graph nested_cycles(const std::size_t number_of_nodes)
 {
   std::size_t number_of_paths = 1;

@@ -45,7 +45,8 @@ struct Result
 
   bool is_measured() const { return seconds != not_measured; }
 
-  // What no solver with shift and invert can do without: one factorization and a solution for every pair.
+  // What no solver with shift and invert can do without: one factorization and a solution for every
+  // pair.
   double floor_seconds(const std::size_t number_of_eigenpairs) const
   {
     return factorization_seconds +

@@ -74,8 +74,8 @@ inline std::vector<double> values_of(const Function function, const Mesh& mesh)
   std::vector<double> values = smooth_function(mesh);
   switch (function) {
   case FINE_NOISE:
-    // That of a scanner, say, which does not depend on how fine the mesh is: two to five vertices in
-    // a hundred are critical, mostly where the surface is level.
+    // That of a scanner, say, which does not depend on how fine the mesh is: two to five vertices
+    // in a hundred are critical, mostly where the surface is level.
     add_noise(values, 0.5 * mean_difference_along_edges(mesh, values));
     break;
   case ONE_PERCENT_NOISE: {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Counts the memory that `operator new` hands out, in one thread. It replaces the global operators, so
-// only one source file of a program may include it.
+// Counts the memory that `operator new` hands out, in one thread. It replaces the global operators,
+// so only one source file of a program may include it.
 
 #ifndef SURFACE_MESH_REEB_GRAPH_BENCHMARK_MEMORY_H
 #define SURFACE_MESH_REEB_GRAPH_BENCHMARK_MEMORY_H

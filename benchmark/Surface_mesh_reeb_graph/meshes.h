@@ -39,8 +39,8 @@ struct Triangle_soup
   std::vector<std::array<Index, 3>> triangles;
 };
 
-// The octahedron with `m` segments on every edge, blown up to the unit sphere: 8 `m`^2 triangles, ring by
-// ring from pole to pole.
+// The octahedron with `m` segments on every edge, blown up to the unit sphere: 8 `m`^2 triangles,
+// ring by ring from pole to pole.
 inline Triangle_soup sphere(const std::size_t m)
 {
   Triangle_soup soup;
@@ -116,17 +116,17 @@ inline Triangle_soup torus(const std::size_t m)
   return soup;
 }
 
-// How many nodes the scaffold has in every direction, and its genus: that of a thickened graph, edges -
-// nodes + 1.
+// How many nodes the scaffold has in every direction, and its genus: that of a thickened graph,
+// edges - nodes + 1.
 constexpr std::array<std::size_t, 3> scaffold_nodes = {4, 6, 7};
 constexpr std::size_t scaffold_genus =
     2 * scaffold_nodes[0] * scaffold_nodes[1] * scaffold_nodes[2] -
     scaffold_nodes[0] * scaffold_nodes[1] - scaffold_nodes[1] * scaffold_nodes[2] -
     scaffold_nodes[2] * scaffold_nodes[0] + 1;
 
-// Something like a gyroid, but of known genus: a scaffold of struts along the edges of a cubic lattice, made
-// of small cubes, `m` of which make the width of a strut and of the gaps between them; rounded a little.
-// 3656 `m`^2 triangles, layer by layer.
+// Something like a gyroid, but of known genus: a scaffold of struts along the edges of a cubic
+// lattice, made of small cubes, `m` of which make the width of a strut and of the gaps between
+// them; rounded a little. 3656 `m`^2 triangles, layer by layer.
 inline Triangle_soup scaffold(const std::size_t m)
 {
   using Coordinates =
@@ -240,8 +240,9 @@ inline Mesh make_mesh(const Triangle_soup& soup, const std::size_t genus)
   return mesh;
 }
 
-// A closed surface as scans have them: no symmetry, vertices that are not in line, and of two diagonals not
-// always the better one. Triangles keep a height of at least a tenth of their longest edge.
+// A closed surface as scans have them: no symmetry, vertices that are not in line, and of two
+// diagonals not always the better one. Triangles keep a height of at least a tenth of their longest
+// edge.
 inline Mesh irregular_surface(const std::size_t m)
 {
   constexpr double smallest_height = 0.1; // by the longest edge

@@ -25,9 +25,9 @@ namespace Reeb_graph_benchmark {
 
 namespace SMRG = CGAL::Surface_mesh_reeb_graph;
 
-// A model of `LaplaceBeltramiEigensolver`: the implicitly restarted Lanczos method with shift and invert,
-// ARPACK's mode 3 for `L x = lambda M x`, one right-hand side at a time. It does not look for vectors that a
-// multiple eigenvalue may lack.
+// A model of `LaplaceBeltramiEigensolver`: the implicitly restarted Lanczos method with shift and
+// invert, ARPACK's mode 3 for `L x = lambda M x`, one right-hand side at a time. It does not look
+// for vectors that a multiple eigenvalue may lack.
 template <class SolverTraits>
 class Arpack_eigensolver
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The memory that a part of a program has in use at most, whoever hands it out: libraries in C and Eigen do
-// not ask `operator new`. For Linux, which lets a process forget its peak.
+// The memory that a part of a program has in use at most, whoever hands it out: libraries in C and
+// Eigen do not ask `operator new`. For Linux, which lets a process forget its peak.
 
 #ifndef SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
 #define SURFACE_MESH_REEB_GRAPH_BENCHMARK_RESIDENT_MEMORY_H
@@ -18,8 +18,8 @@
 
 namespace Reeb_graph_benchmark {
 
-// Uses so many bytes and frees them again. Virtual machines take seconds per gigabyte for memory that is used for the
-// first time after a while, which would be charged to whoever comes first.
+// Uses so many bytes and frees them again. Virtual machines take seconds per gigabyte for memory
+// that is used for the first time after a while, which would be charged to whoever comes first.
 inline void warm_up_memory(const std::size_t bytes)
 {
   // not by malloc(), which would remember the size

@@ -1,5 +1,5 @@
-// The persistence pairs of a Reeb graph: which of its branches and loops are features and which are noise.
-// The diagram is written to a file that GUDHI reads.
+// The persistence pairs of a Reeb graph: which of its branches and loops are features and which are
+// noise. The diagram is written to a file that GUDHI reads.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,10 +1,10 @@
-// The eigenproblem on several processes, or machines: a model of LaplaceBeltramiEigensolver that gives it to
-// SLEPc, whose matrices and factors are distributed by rows.
+// The eigenproblem on several processes, or machines: a model of LaplaceBeltramiEigensolver that
+// gives it to SLEPc, whose matrices and factors are distributed by rows.
 //
 //   mpirun -n 2 slepc_eigensolver [MESH]
 //
-// Every process reads the mesh and gets the same basis; the first one compares its eigenvalues with those of
-// the default eigensolver.
+// Every process reads the mesh and gets the same basis; the first one compares its eigenvalues with
+// those of the default eigensolver.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Extended persistence by the book: the boundary matrix of the cone over a complex is reduced column
-// by column. Slow and simple on purpose, and sharing nothing with the code under test.
+// Extended persistence by the book: the boundary matrix of the cone over a complex is reduced
+// column by column. Slow and simple on purpose, and sharing nothing with the code under test.
 
 #ifndef SURFACE_MESH_REEB_GRAPH_TEST_EXTENDED_PERSISTENCE_ORACLE_H
 #define SURFACE_MESH_REEB_GRAPH_TEST_EXTENDED_PERSISTENCE_ORACLE_H
@@ -112,11 +112,12 @@ struct Extended_pair
   }
 };
 
-// All pairs, sorted, but ordinary and relative ones of equal ranks, which are no pairs of the function.
+// All pairs, sorted, but ordinary and relative ones of equal ranks, which are no pairs of the
+// function.
 inline std::vector<Extended_pair> extended_persistence(const Ranked_complex& complex)
 {
-  // The filtration: the tip of the cone, then the cells from the lowest to the highest, then the cones
-  // over the cells from the highest to the lowest.
+  // The filtration: the tip of the cone, then the cells from the lowest to the highest, then the
+  // cones over the cells from the highest to the lowest.
   const std::size_t n = complex.cells.size();
   std::vector<std::size_t> up(n), down(n);
   for (std::size_t i = 0; i < n; ++i)

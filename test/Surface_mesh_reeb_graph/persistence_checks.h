@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tests of persistence and of simplification share: random graphs, and pairs in a form that
-// compares with the oracle's.
+// What the tests of persistence and of simplification share: random graphs, and pairs in a form
+// that compares with the oracle's.
 
 #ifndef SURFACE_MESH_REEB_GRAPH_TEST_PERSISTENCE_CHECKS_H
 #define SURFACE_MESH_REEB_GRAPH_TEST_PERSISTENCE_CHECKS_H

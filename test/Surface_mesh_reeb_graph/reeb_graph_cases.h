@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A random case, and the Reeb graph in a form that compares: for the tests and for the fuzzer, which
-// does without Boost.Test.
+// A random case, and the Reeb graph in a form that compares: for the tests and for the fuzzer,
+// which does without Boost.Test.
 
 #ifndef SURFACE_MESH_REEB_GRAPH_TEST_REEB_GRAPH_CASES_H
 #define SURFACE_MESH_REEB_GRAPH_TEST_REEB_GRAPH_CASES_H

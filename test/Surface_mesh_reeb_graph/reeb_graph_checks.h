@@ -15,8 +15,8 @@
 
 namespace Reeb_graph_test {
 
-// Everything that the documentation promises of any graph: numbers, order, types, no regular node, and
-// the two mappings between vertices and arcs.
+// Everything that the documentation promises of any graph: numbers, order, types, no regular node,
+// and the two mappings between vertices and arcs.
 inline void check_consistency(const Case& c, const Graph& graph)
 {
   const std::size_t n = num_vertices(graph), m = num_edges(graph);

@@ -22,8 +22,8 @@ namespace {
 
 using Face_map = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 
-// Everything that compute_reeb_graph() gives, in a form that compares: nodes, ends of arcs, arcs of vertices
-// and of faces.
+// Everything that compute_reeb_graph() gives, in a form that compares: nodes, ends of arcs, arcs of
+// vertices and of faces.
 using Everything = std::tuple<std::vector<std::size_t>,
                               std::vector<std::pair<std::size_t, std::size_t>>,
                               std::vector<std::size_t>,
@@ -97,8 +97,9 @@ struct Ordered_case
   SMRG::internal::Reeb_graph_request request;
 };
 
-// Computes the arcs with a sweep through a band of levels. `choose_band(may_have_loops, n)` gets the nodes below which
-// there may be loops, and the number of all nodes; the band must hold the former. Returns false if there is no band.
+// Computes the arcs with a sweep through a band of levels. `choose_band(may_have_loops, n)` gets
+// the nodes below which there may be loops, and the number of all nodes; the band must hold the
+// former. Returns false if there is no band.
 template <class Choose_band>
 bool compute_with_band(const Ordered_case& c,
                        const Choose_band& choose_band,
@@ -258,9 +259,9 @@ BOOST_AUTO_TEST_CASE(agrees_with_brute_force_for_distinct_values)
 }
 
 // A function with few values has large plateaus. With the ranks of the vertices in the place of the
-// values nothing is tied, and the graph must be that of the oracle. From the tied values themselves,
-// the pairs inside plateaus are cancelled: what is left are the extrema that the oracle pairs with a
-// different value.
+// values nothing is tied, and the graph must be that of the oracle. From the tied values
+// themselves, the pairs inside plateaus are cancelled: what is left are the extrema that the oracle
+// pairs with a different value.
 BOOST_AUTO_TEST_CASE(agrees_with_brute_force_for_tied_values)
 {
   for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
@@ -465,9 +466,9 @@ BOOST_AUTO_TEST_CASE(loops_equal_genus_when_saddles_are_unfolded)
   BOOST_TEST(folded_cases > 0u); // or there is nothing to unfold
 }
 
-// The nodes that a vertex is unfolded into are joined by arcs of no length: without these, the arcs between
-// vertices are the same as before, but that a vertex at which a handle was hidden may be a node now, in the
-// middle of an arc. Every node is a simple saddle.
+// The nodes that a vertex is unfolded into are joined by arcs of no length: without these, the arcs
+// between vertices are the same as before, but that a vertex at which a handle was hidden may be a
+// node now, in the middle of an arc. Every node is a simple saddle.
 BOOST_AUTO_TEST_CASE(unfolding_leaves_the_arcs_between_vertices)
 {
   unsigned unfolded_cases = 0;
@@ -512,8 +513,9 @@ BOOST_AUTO_TEST_CASE(unfolding_leaves_the_arcs_between_vertices)
   BOOST_TEST(unfolded_cases > 0u);
 }
 
-// A face belongs to an arc that its interior meets: among the arcs on a monotone way through its three
-// vertices, from an arc that reaches to its lowest vertex to one that reaches from its highest.
+// A face belongs to an arc that its interior meets: among the arcs on a monotone way through its
+// three vertices, from an arc that reaches to its lowest vertex to one that reaches from its
+// highest.
 BOOST_AUTO_TEST_CASE(faces_belong_to_arcs_that_they_meet)
 {
   for_random_cases([](const Index_mesh& mesh, std::mt19937& rng) {
@@ -552,7 +554,8 @@ BOOST_AUTO_TEST_CASE(faces_belong_to_arcs_that_they_meet)
   });
 }
 
-// A budget of no steps is too little for a torus, but not for a sphere, where there is nothing to walk.
+// A budget of no steps is too little for a torus, but not for a sphere, where there is nothing to
+// walk.
 BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
 {
   using SMRG::internal::Arc_list;
@@ -577,8 +580,8 @@ BOOST_AUTO_TEST_CASE(cutting_gives_up_when_its_budget_is_spent)
   }
 }
 
-// Closed surfaces of genus 0 to 5, one or two of them, with values of any kind: the narrowest band, all of the order, and
-// any band in between, though the surface has no loops.
+// Closed surfaces of genus 0 to 5, one or two of them, with values of any kind: the narrowest band,
+// all of the order, and any band in between, though the surface has no loops.
 BOOST_AUTO_TEST_CASE(sweep_through_a_band_gives_the_whole_graph)
 {
   unsigned bands = 0, narrow_bands = 0;
@@ -628,8 +631,8 @@ BOOST_AUTO_TEST_CASE(sweep_through_a_band_gives_the_whole_graph)
   BOOST_TEST(narrow_bands > 0u);
 }
 
-// Two closed surfaces that share a vertex, which leads to the faces of one of them only: an error if that changes
-// anything, wherever the vertex lies.
+// Two closed surfaces that share a vertex, which leads to the faces of one of them only: an error
+// if that changes anything, wherever the vertex lies.
 BOOST_AUTO_TEST_CASE(level_band_never_gives_a_wrong_graph_where_there_are_several_fans)
 {
   unsigned errors = 0;
@@ -718,8 +721,8 @@ BOOST_AUTO_TEST_CASE(empty_mesh_gives_an_empty_graph)
     BOOST_TEST(graph[i].type == SMRG::ISOLATED);
 }
 
-// Two vertices that are neighbors of all others, with a great many wedges each: nothing may take the square
-// of that.
+// Two vertices that are neighbors of all others, with a great many wedges each: nothing may take
+// the square of that.
 BOOST_AUTO_TEST_CASE(vertices_of_large_degree)
 {
   for (const bool is_closed : {true, false}) {

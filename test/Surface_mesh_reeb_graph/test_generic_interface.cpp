@@ -263,7 +263,8 @@ void check_equal(const Plain_graph& a, const Plain_graph& b)
   BOOST_CHECK_EQUAL_COLLECTIONS(a.arcs.begin(), a.arcs.end(), b.arcs.begin(), b.arcs.end());
 }
 
-// The same up to the rounding of values, which also decides about the order of nodes with the same value.
+// The same up to the rounding of values, which also decides about the order of nodes with the same
+// value.
 void check_close(Plain_graph a, Plain_graph b)
 {
   for (Plain_graph* graph : {&a, &b}) {
@@ -1384,8 +1385,8 @@ BOOST_AUTO_TEST_CASE(infinite_values)
   }
 }
 
-// Two closed surfaces that share a vertex are no manifold, and a vertex of a halfedge data structure
-// leads to the faces of one of them only.
+// Two closed surfaces that share a vertex are no manifold, and a vertex of a halfedge data
+// structure leads to the faces of one of them only.
 void check_several_fans(const Index_mesh& index_mesh, const Numbered_mesh<Mesh>& input)
 {
   std::mt19937 rng(17);

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The intrinsic Delaunay triangulation of a mesh and the Laplace-Beltrami operator on it, against the
-// identities that they must fulfil, CGAL's Delaunay triangulation of the plane, and energies that the tests
-// compute themselves.
+// The intrinsic Delaunay triangulation of a mesh and the Laplace-Beltrami operator on it, against
+// the identities that they must fulfil, CGAL's Delaunay triangulation of the plane, and energies
+// that the tests compute themselves.
 
 #define BOOST_TEST_MODULE intrinsic_delaunay
 #include <boost/test/unit_test.hpp>
@@ -217,7 +217,8 @@ void flip_flat_edges(Index_mesh& mesh, const std::size_t attempts, std::mt19937&
     const std::size_t d = t[0] + t[1] + t[2] - a - b;
     if (triangle_of.count({c, d}) != 0 || triangle_of.count({d, c}) != 0)
       continue;
-    // all four triangles must look in the same direction, and none be so thin that its lengths are mollified
+    // all four triangles must look in the same direction, and none be so thin that its lengths are
+    // mollified
     const Eigen::Vector3d n = normal(mesh, a, b, c).normalized();
     constexpr double smallest = 1e-3;
     if (n.dot(normal(mesh, b, a, d).normalized()) < 1 - 1e-9 || normal(mesh, a, d, c).dot(n) <= 0 ||
@@ -251,8 +252,8 @@ Index_mesh random_grid(const std::size_t m, const std::size_t n, std::mt19937& r
   return mesh;
 }
 
-// The surface of a cube of side m in m x m squares per face, whose points are moved at random within faces and
-// along edges.
+// The surface of a cube of side m in m x m squares per face, whose points are moved at random
+// within faces and along edges.
 Index_mesh random_cube(const std::size_t m, std::mt19937& rng)
 {
   Index_mesh mesh;
@@ -328,8 +329,8 @@ std::vector<Index_mesh> random_shapes(const unsigned seed, const int number)
 // -------------------------------------------------------------------------------------------------
 // Energies
 
-// The integral of the squared gradient of the function that is linear on every triangle, the triangle laid out
-// in the plane.
+// The integral of the squared gradient of the function that is linear on every triangle, the
+// triangle laid out in the plane.
 double dirichlet_energy(const Triangulation& triangulation, const Eigen::VectorXd& f)
 {
   double result = 0;
@@ -484,8 +485,8 @@ BOOST_AUTO_TEST_CASE(quadratic_form_is_the_dirichlet_energy)
   }
 }
 
-// Rippa's theorem: of all triangulations of a surface, the Delaunay one has the least energy, whatever the
-// function.
+// Rippa's theorem: of all triangulations of a surface, the Delaunay one has the least energy,
+// whatever the function.
 BOOST_AUTO_TEST_CASE(flips_decrease_the_energy_of_every_function)
 {
   std::mt19937 rng(7);
@@ -632,8 +633,8 @@ BOOST_AUTO_TEST_CASE(distances_do_not_depend_on_the_triangulation_of_flat_faces)
                         other_basis.commute_time_distance(source, v)) <= 1e-9);
 }
 
-// Random surfaces of any topology, also pinched ones and several components, with points on a coarse lattice:
-// faces without area and coinciding points everywhere.
+// Random surfaces of any topology, also pinched ones and several components, with points on a
+// coarse lattice: faces without area and coinciding points everywhere.
 BOOST_AUTO_TEST_CASE(degenerate_faces_do_no_harm)
 {
   constexpr unsigned seed = 11;

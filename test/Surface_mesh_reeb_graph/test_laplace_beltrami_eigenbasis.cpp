@@ -1415,8 +1415,8 @@ using Cholesky_traits = CGAL::Eigen_solver_traits<Eigen::SimplicialLLT<Eigen_mat
 using Lu_traits =
     CGAL::Eigen_solver_traits<Eigen::SparseLU<Eigen_matrix, Eigen::COLAMDOrdering<int>>>;
 
-// A minimal model of `SparseLinearAlgebraWithFactorTraits_d`, with one right-hand side at a time; it fails on
-// demand.
+// A minimal model of `SparseLinearAlgebraWithFactorTraits_d`, with one right-hand side at a time;
+// it fails on demand.
 template <bool FACTORS = true, bool SOLVES = true>
 class Minimal_traits
 {
@@ -1675,7 +1675,8 @@ BOOST_AUTO_TEST_CASE(missing_eigenvalues_are_found_with_any_seed)
       pencil, {17, 20, 21, 26, 45}, expected, options);
 }
 
-// As many copies as there are eigenpairs, in a space that has just room for the search for missing ones.
+// As many copies as there are eigenpairs, in a space that has just room for the search for missing
+// ones.
 BOOST_AUTO_TEST_CASE(multiplicities_may_fill_small_spaces)
 {
   constexpr Eigen::Index size = 221, multiplicity = 52, number = 49;
@@ -1752,8 +1753,8 @@ BOOST_AUTO_TEST_CASE(numbers_may_change_from_call_to_call)
     check_pairs(pencil, solver.smallest(number), expected.head(number));
 }
 
-// Spherical harmonics of degrees 1 to 7: clusters of 3 to 15 eigenvalues that split into the smaller
-// multiplicities of the icosahedron.
+// Spherical harmonics of degrees 1 to 7: clusters of 3 to 15 eigenvalues that split into the
+// smaller multiplicities of the icosahedron.
 BOOST_AUTO_TEST_CASE(clusters_of_spheres_are_those_of_dense_matrices)
 {
   const Pencil pencil = pencil_of(sphere(3));
@@ -1843,8 +1844,8 @@ BOOST_AUTO_TEST_CASE(callback_interrupts)
   check_interruption<SMRG::Spectra_eigensolver<>>(8);
 }
 
-// A minimal model of `LaplaceBeltramiEigensolver`. It is told by the first pair that it spoils, and by the number of
-// pairs that it finds at most, how to fail.
+// A minimal model of `LaplaceBeltramiEigensolver`. It is told by the first pair that it spoils, and
+// by the number of pairs that it finds at most, how to fail.
 struct Dense_eigensolver
 {
   Dense_eigensolver(const Eigen::SparseMatrix<double>& stiffness,

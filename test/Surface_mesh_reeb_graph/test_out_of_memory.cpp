@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every request for memory fails once: std::bad_alloc is thrown, what was to be written is as it was before, and
-// nothing is lost (the address sanitizer looks for that).
+// Every request for memory fails once: std::bad_alloc is thrown, what was to be written is as it
+// was before, and nothing is lost (the address sanitizer looks for that).
 
 #define BOOST_TEST_MODULE out_of_memory
 #include <boost/test/unit_test.hpp>
@@ -99,7 +99,8 @@ using Float_eigenbasis =
     SMRG::Laplace_beltrami_eigenbasis<Mesh, SMRG::Block_lanczos_eigensolver<>, float>;
 using Graph = SMRG::Reeb_graph<Mesh>;
 
-// Calls `task()` with one more request granted each time until it succeeds. Returns how often it failed.
+// Calls `task()` with one more request granted each time until it succeeds. Returns how often it
+// failed.
 template <class Task, class IsUnchanged>
 std::size_t number_of_failures(const Task& task, const IsUnchanged& is_unchanged)
 {

@@ -213,10 +213,11 @@ BOOST_AUTO_TEST_CASE(monotone_maps_and_renumbered_arcs_change_nothing)
   }
 }
 
-// On meshes with and without borders and pinched vertices, several components and any genus. Extended
-// persistence of the mesh has pairs of dimension 1 of two sorts: cycles that run along the function
-// have their birth above their death, cycles in level sets the other way round. The former are the loops of
-// the Reeb graph. (Cycles of birth and death at one vertex are handles that a multiple saddle hides.)
+// On meshes with and without borders and pinched vertices, several components and any genus.
+// Extended persistence of the mesh has pairs of dimension 1 of two sorts: cycles that run along the
+// function have their birth above their death, cycles in level sets the other way round. The former
+// are the loops of the Reeb graph. (Cycles of birth and death at one vertex are handles that a
+// multiple saddle hides.)
 BOOST_AUTO_TEST_CASE(pairs_of_random_meshes_are_those_of_the_matrix)
 {
   for (unsigned seed = 0; seed < number_of_random_cases() / 4; ++seed) {
@@ -390,8 +391,8 @@ BOOST_AUTO_TEST_CASE(gudhi_reads_diagrams)
 
 #endif
 
-// A long ladder: every rung closes a loop with a path of any length through the forest. With paths that
-// are followed arc by arc this would take hours.
+// A long ladder: every rung closes a loop with a path of any length through the forest. With paths
+// that are followed arc by arc this would take hours.
 BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
 {
   const std::size_t n = 200000;

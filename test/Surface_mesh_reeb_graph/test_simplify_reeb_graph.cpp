@@ -131,7 +131,8 @@ SMRG::internal::Closed_loops close_loops(SMRG::internal::Folded_graph& folded,
   });
 }
 
-// The arcs that points of a graph have gone to. A point is an arc and the node just below the point.
+// The arcs that points of a graph have gone to. A point is an arc and the node just below the
+// point.
 std::vector<std::uint32_t> images_of(SMRG::internal::Folded_graph& folded,
                                      const SMRG::internal::Closed_loops& closed_loops,
                                      const std::vector<Rank_pair>& points)
@@ -169,8 +170,8 @@ std::vector<Rank_pair> closed(const std::vector<double>& values,
   return left_of(folded).arcs_before();
 }
 
-// Arcs on the path between two nodes of a graph whose nodes above `highest` and their arcs are left out; none if there is
-// no path.
+// Arcs on the path between two nodes of a graph whose nodes above `highest` and their arcs are left
+// out; none if there is no path.
 std::vector<std::size_t> path_between(const std::vector<Rank_pair>& arcs,
                                       const std::size_t node,
                                       const std::size_t other,
@@ -195,8 +196,8 @@ std::vector<std::size_t> path_between(const std::vector<Rank_pair>& arcs,
   return path;
 }
 
-// Closes loops as the documentation says, node by node, with no other thought. Of the arcs that have the same lower node
-// the first ones come first.
+// Closes loops as the documentation says, node by node, with no other thought. Of the arcs that
+// have the same lower node the first ones come first.
 std::vector<Rank_pair> closed_node_by_node(const std::vector<double>& values,
                                            std::vector<Rank_pair> arcs_to_come,
                                            const double threshold)
@@ -314,9 +315,10 @@ BOOST_AUTO_TEST_CASE(vertices_of_a_cancelled_branch_go_to_the_arc_it_hung_on)
   BOOST_TEST(cut.arcs()[upper].upper == 5u);
 }
 
-// On random meshes, with distinct and with tied values, for growing thresholds on the same graph and at
-// once: the extrema that are left are those that persistence, computed from the mesh alone, says; and at
-// every level there are as many arcs less as pairs are cancelled whose two values lie around it.
+// On random meshes, with distinct and with tied values, for growing thresholds on the same graph
+// and at once: the extrema that are left are those that persistence, computed from the mesh alone,
+// says; and at every level there are as many arcs less as pairs are cancelled whose two values lie
+// around it.
 BOOST_AUTO_TEST_CASE(cancels_exactly_the_pairs_below_the_threshold)
 {
   for (unsigned seed = 0; seed < number_of_random_cases(); ++seed) {
@@ -350,8 +352,8 @@ BOOST_AUTO_TEST_CASE(cancels_exactly_the_pairs_below_the_threshold)
 
         std::vector<long> expected_arcs = arcs_before;
         for (const bool minima : {true, false}) {
-          // equal values: any order of theirs gives the same pairs of different values, but which one of
-          // several equal extrema survives depends on it
+          // equal values: any order of theirs gives the same pairs of different values, but which
+          // one of several equal extrema survives depends on it
           const Extremum_pairs pairs =
               brute_force_extremum_pairs(mesh, minima ? rank_of(c) : reversed_rank(rank_of(c)));
           std::vector<std::size_t> expected = pairs.unpaired_extrema;
@@ -444,8 +446,8 @@ BOOST_AUTO_TEST_CASE(small_loops_are_closed)
   BOOST_TEST((closed({0, 1, 2, 3, 4, 5}, nested, 2) == Arcs{{0, 1}, {1, 4}, {1, 4}, {4, 5}}));
 }
 
-// Relative thresholds are fractions of the range of the component, without what is infinite; loops of infinite persistence
-// are never small.
+// Relative thresholds are fractions of the range of the component, without what is infinite; loops
+// of infinite persistence are never small.
 BOOST_AUTO_TEST_CASE(loop_thresholds_are_those_of_the_component)
 {
   const Mesh no_mesh;
@@ -472,9 +474,9 @@ BOOST_AUTO_TEST_CASE(loop_thresholds_are_those_of_the_component)
   BOOST_TEST(number_of_arcs_left({0, 1, infinity, infinity}, torus, infinity) == 4u);
 }
 
-// Loops on their own, with the extrema that there are: if the cycles have monotone sides, exactly the
-// small loops go and nothing else changes. If not, no small loop is left either, and the branches of
-// extrema get shorter, by less than the threshold for every closed loop.
+// Loops on their own, with the extrema that there are: if the cycles have monotone sides, exactly
+// the small loops go and nothing else changes. If not, no small loop is left either, and the
+// branches of extrema get shorter, by less than the threshold for every closed loop.
 BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
 {
   std::size_t number_of_exact_cases = 0, number_of_other_cases = 0;
@@ -538,8 +540,8 @@ BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
   }
 }
 
-// Branches and loops together through the user's function, for growing thresholds: what persistence says
-// is small goes, and the numbers of nodes, arcs, components and loops fit at every step.
+// Branches and loops together through the user's function, for growing thresholds: what persistence
+// says is small goes, and the numbers of nodes, arcs, components and loops fit at every step.
 BOOST_AUTO_TEST_CASE(branches_and_loops_of_random_graphs_are_simplified)
 {
   const Mesh no_mesh;
@@ -602,8 +604,8 @@ BOOST_AUTO_TEST_CASE(branches_and_loops_of_random_graphs_are_simplified)
   }
 }
 
-// Points of the arcs, at all heights between the nodes, go to arcs that are left; if no branch was cancelled as a whole
-// the height is right.
+// Points of the arcs, at all heights between the nodes, go to arcs that are left; if no branch was
+// cancelled as a whole the height is right.
 BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
 {
   for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
@@ -655,8 +657,9 @@ BOOST_AUTO_TEST_CASE(loops_are_closed_as_node_by_node)
   BOOST_TEST(number_of_cases_with_loops >= number_of_random_cases());
 }
 
-// The fold is a continuous map to the graph that is left, and onto it: what meets at a node meets afterwards, at the
-// same height, at a node or within an arc; and points of an arc that are next to each other stay so.
+// The fold is a continuous map to the graph that is left, and onto it: what meets at a node meets
+// afterwards, at the same height, at a node or within an arc; and points of an arc that are next to
+// each other stay so.
 BOOST_AUTO_TEST_CASE(the_fold_of_loops_is_a_quotient)
 {
   for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
@@ -813,8 +816,8 @@ BOOST_AUTO_TEST_CASE(pairs_are_cancelled_until_few_leaves_are_left)
   }
 }
 
-// Two grids, one of them with a hundred times the range: the small one has the dip that is deeper in
-// proportion, the large one the dip that is deeper.
+// Two grids, one of them with a hundred times the range: the small one has the dip that is deeper
+// in proportion, the large one the dip that is deeper.
 BOOST_AUTO_TEST_CASE(leaves_of_components_compare_by_relative_persistence)
 {
   const std::array<double, 8> small = {0, 4, 2, 5, 6, 7, 8, 9};
@@ -953,7 +956,8 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
   arcs.emplace_back(2 * n, 2 * n + 1);
   BOOST_TEST((simplified(3 * n + 2, arcs) == one_arc));
 
-  // the same, but that the maxima stay: one after the other, upwards, they are hung on the last branch
+  // the same, but that the maxima stay: one after the other, upwards, they are hung on the last
+  // branch
   arcs.clear();
   std::vector<double> values;
   for (std::size_t i = 0; i < n; ++i) {
@@ -971,7 +975,8 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
                                 3 * static_cast<double>(n)));
   BOOST_TEST(num_edges(graph) == 2 * n - 1);
 
-  // maxima that stay hang on the highest minimum, and would move on whenever the next minimum is cancelled
+  // maxima that stay hang on the highest minimum, and would move on whenever the next minimum is
+  // cancelled
   arcs.clear();
   values.clear();
   for (std::size_t i = 0; i < n; ++i) {
@@ -1026,9 +1031,9 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
   BOOST_TEST((simplified(n, arcs) == one_arc));
 }
 
-// Long cycles side by side, with something that stays on all of their nodes: if every node of every cycle was passed, or
-// every arc was cut into pieces one after the other, these would take hours, too. The points of all arcs are asked for
-// at some heights, those of the longest arc at all.
+// Long cycles side by side, with something that stays on all of their nodes: if every node of every
+// cycle was passed, or every arc was cut into pieces one after the other, these would take hours,
+// too. The points of all arcs are asked for at some heights, those of the longest arc at all.
 BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
 {
   const std::size_t n = 100000;
@@ -1066,7 +1071,8 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
     BOOST_TEST(number_of_wrong_heights == 0u);
     return left.nodes.size();
   };
-  // arcs to minima below the nodes 0, 1, ..., or to maxima above them, and some arcs from a node to another
+  // arcs to minima below the nodes 0, 1, ..., or to maxima above them, and some arcs from a node to
+  // another
   const auto hang_on = [](std::vector<Rank_pair>& arcs,
                           const std::size_t first_node,
                           const std::size_t number,
@@ -1095,8 +1101,9 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
   put_side_by_side(arcs, n, 0, n + 1);
   BOOST_TEST(number_of_nodes_left(2 * n + 2, arcs) == 2 * n + 2);
 
-  // a path from n up to 2 n + 1, down to n + 1, and so on, at last to 3 n + 1, with minima below its valleys and maxima
-  // above its peaks; what is left are these, both ends, and the valleys, from which the peaks rise now
+  // a path from n up to 2 n + 1, down to n + 1, and so on, at last to 3 n + 1, with minima below
+  // its valleys and maxima above its peaks; what is left are these, both ends, and the valleys,
+  // from which the peaks rise now
   arcs = {{n, 2 * n + 1}, {3 * n + 1, 3 * n + 2}};
   for (std::size_t i = 0; i < n; ++i) {
     arcs.emplace_back(n + 1 + i, 2 * n + 1 + i);

@@ -104,7 +104,8 @@ long double exact_squared_distance(const Matrix& eigenfunctions,
   return result;
 }
 
-// The largest relative error of `largest_squared_distances()`; infinity where zero does not come out as zero.
+// The largest relative error of `largest_squared_distances()`; infinity where zero does not come
+// out as zero.
 template <class Matrix>
 double relative_error(const Matrix& eigenfunctions,
                       const Eigen::VectorXd& factors,
@@ -164,7 +165,8 @@ Distances distances_of(const Function& function)
   return distances;
 }
 
-// The logarithm of the diffusion distance at any time: of sums of exponentials, the largest one taken out.
+// The logarithm of the diffusion distance at any time: of sums of exponentials, the largest one
+// taken out.
 long double log_diffusion_distance(const Eigenbasis& basis,
                                    const vertex_descriptor u,
                                    const vertex_descriptor v,

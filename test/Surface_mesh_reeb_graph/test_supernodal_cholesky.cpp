@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The supernodal Cholesky factorization against Eigen's solvers, and against what every solution fulfils.
+// The supernodal Cholesky factorization against Eigen's solvers, and against what every solution
+// fulfils.
 
 #define BOOST_TEST_MODULE supernodal_cholesky
 #include <boost/test/unit_test.hpp>
@@ -162,8 +163,8 @@ std::vector<Example> examples(const unsigned seed)
   return result;
 }
 
-// Largest of `|A x - b| / (|A| |x| + |b|)` over the columns, in the maximum norm. Backward stable solutions
-// have it of the size of the rounding error.
+// Largest of `|A x - b| / (|A| |x| + |b|)` over the columns, in the maximum norm. Backward stable
+// solutions have it of the size of the rounding error.
 template <class Matrix, class Block>
 double backward_error(const Matrix& a, const Block& x, const Block& b)
 {
@@ -195,7 +196,8 @@ Dense<Scalar> random_block(const Eigen::Index rows, const Eigen::Index columns, 
   return result;
 }
 
-// Of backward errors: the bound of theory grows with the number of operations per entry, which stay few.
+// Of backward errors: the bound of theory grows with the number of operations per entry, which stay
+// few.
 template <class Scalar>
 constexpr double rounding = 20. * std::numeric_limits<Scalar>::epsilon();
 

@@ -6,8 +6,8 @@
 //
 // Everything is compared as it is: the critical vertices and the arcs between them, on meshes with
 // borders, several components and multiple saddles too. The brute-force oracle says who is wrong if
-// they ever differ. Two things VTK does not have: a vertex without triangles is no node there, so the
-// meshes have none; and it knows no plateaus, so the values are distinct.
+// they ever differ. Two things VTK does not have: a vertex without triangles is no node there, so
+// the meshes have none; and it knows no plateaus, so the values are distinct.
 
 #define BOOST_TEST_MODULE vtk_agreement
 

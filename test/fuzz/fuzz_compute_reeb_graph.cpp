@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Surface_mesh_reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A target of libFuzzer: whatever the mesh and the function, the algorithms give one and the same graph,
-// which is that of the brute-force oracle and obeys the topology of the surface, and simplification leaves
-// no small pair.
+// A target of libFuzzer: whatever the mesh and the function, the algorithms give one and the same
+// graph, which is that of the brute-force oracle and obeys the topology of the surface, and
+// simplification leaves no small pair.
 //
 // Usage: fuzz_compute_reeb_graph [-runs=N] [-max_total_time=SECONDS] [-seed=N] [FILE of a failure]
 
@@ -102,8 +102,8 @@ std::size_t number_of_loops(const Graph& graph, const Index_mesh& mesh)
   return num_edges(graph) + number_of_components(mesh) - num_vertices(graph);
 }
 
-// The graph of an unfolded one: nodes of one vertex become one, which is none if one arc goes in and
-// one comes out. To be compared with that of the oracle.
+// The graph of an unfolded one: nodes of one vertex become one, which is none if one arc goes in
+// and one comes out. To be compared with that of the oracle.
 std::vector<Comparable_arc> folded_arcs(const Graph& graph)
 {
   std::vector<Comparable_arc> arcs;
@@ -304,8 +304,8 @@ private:
     }
   }
 
-  // With simple saddles only, a closed surface has a loop for every handle; then the numbers of the nodes
-  // follow from Euler's formula.
+  // With simple saddles only, a closed surface has a loop for every handle; then the numbers of the
+  // nodes follow from Euler's formula.
   void check_topology(const Graph& unfolded) const
   {
     if (!CGAL::is_closed(m_mesh))

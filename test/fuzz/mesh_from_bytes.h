@@ -57,8 +57,8 @@ public:
       step();
   }
 
-  // `false` if the last step has closed the faces around a vertex where others touch it: these are out
-  // of reach from there, and the mesh is an error.
+  // `false` if the last step has closed the faces around a vertex where others touch it: these are
+  // out of reach from there, and the mesh is an error.
   bool is_manifold() const { return m_is_manifold; }
 
 private:
@@ -228,8 +228,8 @@ private:
   bool m_is_manifold = true;
 };
 
-// The values of `n` vertices: small whole numbers with many ties, or distinct ones, or what floating
-// point numbers can be at worst, NaN excepted.
+// The values of `n` vertices: small whole numbers with many ties, or distinct ones, or what
+// floating point numbers can be at worst, NaN excepted.
 inline std::vector<double> values_from_bytes(Bytes& bytes, const std::size_t n)
 {
   using Limits = std::numeric_limits<double>;

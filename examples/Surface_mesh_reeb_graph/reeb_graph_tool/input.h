@@ -27,7 +27,8 @@
 #include <utility>
 #include <vector>
 
-// CGAL's readers tell what they dislike on the error stream; the tool says it in one line of its own.
+// CGAL's readers tell what they dislike on the error stream; the tool says it in one line of its
+// own.
 class Silence
 {
 public:

@@ -16,7 +16,8 @@
 #include <limits>
 #include <string>
 
-// From red through yellow, green and cyan to blue as t goes from 0 to 1, as in the figures of the paper.
+// From red through yellow, green and cyan to blue as t goes from 0 to 1, as in the figures of the
+// paper.
 inline CGAL::IO::Color rainbow(double t)
 {
   const double hue = 4 * (std::min)((std::max)(t, 0.), 1.); // in sixths of the circle

@@ -170,11 +170,11 @@ private:
   // Multiplies the first pending block by A, and puts what is orthogonal to the basis at
   // `position`.
   //
-  // What T says about the product is subtracted anyway, and leaves errors of rounding, which grow by
-  // the ratio of the largest eigenvalues to the coupling of the blocks from step to step. So every
-  // other block stays loose: it is made orthogonal to all others together with the next one, which
-  // reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence its norm and T by
-  // their square only, which is nothing unless the coupling is tiny.
+  // What T says about the product is subtracted anyway, and leaves errors of rounding, which grow
+  // by the ratio of the largest eigenvalues to the coupling of the blocks from step to step. So
+  // every other block stays loose: it is made orthogonal to all others together with the next one,
+  // which reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence its
+  // norm and T by their square only, which is nothing unless the coupling is tiny.
   void multiply_next(Eigen::Index position)
   {
     constexpr double smallest_coupling = 1e-6;
@@ -220,9 +220,9 @@ private:
   // Makes the columns of w orthonormal and orthogonal to the basis, and the loose block as well.
   // Returns B such that the old w is the new one times B, up to what was in the basis.
   //
-  // A block that is nearly dependent, as when an invariant space is exhausted, is rotated, such that its
-  // columns are orthogonal; those that are nothing but rounding are replaced by random ones, which B
-  // multiplies by zero.
+  // A block that is nearly dependent, as when an invariant space is exhausted, is rotated, such
+  // that its columns are orthogonal; those that are nothing but rounding are replaced by random
+  // ones, which B multiplies by zero.
   Block_coefficients orthonormalize(Row_block& w)
   {
     constexpr int max_passes = 6;
@@ -361,11 +361,11 @@ private:
   // with probability 1, and b vectors of a larger one. So only where b eigenvalues coincide, can
   // there be more of them. Where that is so, a space is searched that begins with another block of
   // random vectors, and with what was pending: it may hold a part of a missing vector. If one is
-  // missing, the space has an eigenvalue more than were known that is as large. It would be seen as soon
-  // as k steps, a Chebyshev polynomial of degree k, have made its component larger than those of the
-  // next eigenvalues by about `exp(k acosh(2 / r - 1)) / 2`, if r is their ratio to it. At the start
-  // the component of the best of eight random vectors of dimension n is less than `0.1 / sqrt(n)`
-  // with a probability of 1e-11.
+  // missing, the space has an eigenvalue more than were known that is as large. It would be seen as
+  // soon as k steps, a Chebyshev polynomial of degree k, have made its component larger than those
+  // of the next eigenvalues by about `exp(k acosh(2 / r - 1)) / 2`, if r is their ratio to it. At
+  // the start the component of the best of eight random vectors of dimension n is less than `0.1 /
+  // sqrt(n)` with a probability of 1e-11.
   bool is_complete(Eigen::Index number)
   {
     constexpr double coincidence = 1e-6;

@@ -432,7 +432,8 @@ private:
                                const Eigensolver_options& options,
                                bool extend_to_gap)
   {
-    // half of what the smallest non-zero eigenvalue of a sphere of the same area is about: it depends on no unit
+    // half of what the smallest non-zero eigenvalue of a sphere of the same area is about: it
+    // depends on no unit
     constexpr double pi = 3.14159265358979323846;
     const double shift = 0.5 * 4 * pi / matrices.area;
     Eigensolver solver(matrices.stiffness, matrices.mass, shift, options);

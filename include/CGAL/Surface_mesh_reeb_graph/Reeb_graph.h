@@ -136,9 +136,10 @@ using Reeb_graph = boost::adjacency_list<boost::vecS,
 
 /// \cond SKIP_IN_MANUAL
 
-// CGAL has a function template of this name for the halfedge data structures, which argument-dependent
-// lookup also finds for a Boost graph whose bundles know a mesh of CGAL, and which would be preferred
-// to Boost's there. This overload leads such calls, in boost::isomorphism() for example, back to Boost.
+// CGAL has a function template of this name for the halfedge data structures, which
+// argument-dependent lookup also finds for a Boost graph whose bundles know a mesh of CGAL, and
+// which would be preferred to Boost's there. This overload leads such calls, in
+// boost::isomorphism() for example, back to Boost.
 template <class OutEdgeList,
           class VertexList,
           class Directed,

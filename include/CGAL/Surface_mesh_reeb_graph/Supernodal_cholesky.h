@@ -473,7 +473,8 @@ private:
     return number;
   }
 
-  // Both substitutions, on rows in the order of the factor. `below` has room for the rows of a front.
+  // Both substitutions, on rows in the order of the factor. `below` has room for the rows of a
+  // front.
   template <int Columns>
   void substitute(Scalar* x, Scalar* below) const
   {

@@ -108,7 +108,8 @@ Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
         tmesh, order, vertex_index_map, index_bound, states, request);
     if (cutting.run(budget, result))
       return result;
-    // a sweep through half of the vertices, and what comes before it, still takes less time than through all of them
+    // a sweep through half of the vertices, and what comes before it, still takes less time than
+    // through all of them
     if (!states.has_border() && !request.has_vertex_arcs &&
         Level_band<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>(
             tmesh,
@@ -148,8 +149,8 @@ auto vertices_of_arcs(const Arc_list<TriangleMesh>& list,
   return result;
 }
 
-// Writes the arcs of the faces: that of the middle vertex; if several arcs begin there, the one above it in
-// the wedge that the face's highest vertex belongs to.
+// Writes the arcs of the faces: that of the middle vertex; if several arcs begin there, the one
+// above it in the wedge that the face's highest vertex belongs to.
 template <class TriangleMesh, class VertexIndexMap, class VertexOrder, class FaceArcMap>
 void write_face_arcs(const Arc_list<TriangleMesh>& list,
                      const TriangleMesh& tmesh,

@@ -95,8 +95,8 @@ auto arc_polyline(typename boost::graph_traits<Graph>::edge_descriptor arc,
 
   std::vector<Point_3> polyline;
   polyline.push_back(get(vertex_point_map, nodes[lower].vertex));
-  // in a part of a tube that is as long as wide, n vertices make about sqrt(n) rings: smaller groups would
-  // not reach around
+  // in a part of a tube that is as long as wide, n vertices make about sqrt(n) rings: smaller
+  // groups would not reach around
   const std::size_t groups =
       (std::min)(static_cast<std::size_t>(number_of_samples),
                  static_cast<std::size_t>(std::sqrt(static_cast<double>(vertices.size())) / 2));

@@ -50,8 +50,8 @@ void add_local_maxima(const Eigenbasis& basis,
   }
 }
 
-// Of the given (value, position) pairs keeps one, with the largest value, of those that are neighbors.
-// Returns their positions by decreasing value.
+// Of the given (value, position) pairs keeps one, with the largest value, of those that are
+// neighbors. Returns their positions by decreasing value.
 template <class Eigenbasis>
 std::vector<std::size_t> without_neighbors(const Eigenbasis& basis,
                                            std::size_t c,

@@ -171,7 +171,8 @@ public:
     }
   }
 
-  // Moves points to the arcs that they belong to now. `is_below(i, node)` tells whether `points[i]` lies below a node.
+  // Moves points to the arcs that they belong to now. `is_below(i, node)` tells whether `points[i]`
+  // lies below a node.
   template <class IsBelow>
   void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
   {

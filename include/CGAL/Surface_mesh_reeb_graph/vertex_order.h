@@ -186,8 +186,8 @@ private:
     return false;
   }
 
-  // Breadth-first search along the plateaus, from all lower borders at once, then from one vertex of
-  // every plateau that has none.
+  // Breadth-first search along the plateaus, from all lower borders at once, then from one vertex
+  // of every plateau that has none.
   void measure_plateaus(const TriangleMesh& tmesh)
   {
     constexpr std::uint32_t unreached = (std::numeric_limits<std::uint32_t>::max)();
@@ -260,7 +260,8 @@ void check_distinct_numbers(std::size_t number_of_vertices)
   }
 }
 
-// All vertices of the mesh in their order. When this returns, the data can do nothing wrong any more.
+// All vertices of the mesh in their order. When this returns, the data can do nothing wrong any
+// more.
 template <class Number, class TriangleMesh, class VertexScalarMap, class NamedParameters>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
 vertices_to_number(const TriangleMesh& tmesh, VertexScalarMap scalar_map, const NamedParameters& np)

@@ -52,15 +52,15 @@ struct Highest_arc
 };
 
 // A spanning forest of a Reeb graph, its arcs given one by one from the highest lower node to the
-// lowest one, that is kept a minimum one with respect to the upper nodes of the arcs. So of all paths
-// between two nodes the one in the forest goes up least.
+// lowest one, that is kept a minimum one with respect to the upper nodes of the arcs. So of all
+// paths between two nodes the one in the forest goes up least.
 //
 // The loops of extended persistence fall out. A pair has its merge at or below m and its split at
 // or above s for every independent cycle of the arcs between the heights s and m. Of these arcs the
-// forest of the arcs down to s holds a spanning forest, so the independent cycles are as many as the
-// arcs that have left the forest, or not entered it, by then: one at every split that completes a
-// cycle, and its merge is the upper node of the arc. It does not matter which one leaves of several
-// arcs with the same upper node, nor in which order those with the same lower node come.
+// forest of the arcs down to s holds a spanning forest, so the independent cycles are as many as
+// the arcs that have left the forest, or not entered it, by then: one at every split that completes
+// a cycle, and its merge is the upper node of the arc. It does not matter which one leaves of
+// several arcs with the same upper node, nor in which order those with the same lower node come.
 //
 // `Summary` says what is known of the arcs on a path: a Highest_arc, and what others want to know.
 template <class Summary = Highest_arc>
@@ -75,8 +75,8 @@ public:
     , m_components(number_of_nodes)
   {}
 
-  // Gives the forest the next arc. If it completes a cycle, returns the arc that therefore leaves the forest, or does
-  // not enter it: the highest one on the cycle.
+  // Gives the forest the next arc. If it completes a cycle, returns the arc that therefore leaves
+  // the forest, or does not enter it: the highest one on the cycle.
   std::uint32_t add(std::uint32_t arc)
   {
     const Arc_ends& ends = m_arcs[arc];
@@ -125,8 +125,8 @@ public:
     std::uint32_t node, next_arc; // `no_arc` at the end of the path
   };
 
-  // The last node on a path downwards from one node to another one for which `holds(node)` is true. It must be true for
-  // the first one, and for no node below one for which it is not.
+  // The last node on a path downwards from one node to another one for which `holds(node)` is true.
+  // It must be true for the first one, and for no node below one for which it is not.
   template <class Holds>
   Node_on_path last_on_path_down(std::uint32_t node, std::uint32_t lower_node, const Holds& holds)
   {
@@ -137,8 +137,9 @@ public:
     return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }
 
-  // The node at which the path from a node to another one turns that begins downwards, or upwards, and the other node if
-  // it does not turn. `length` is a part of the summary, the sum over all arcs of the differences of their ends.
+  // The node at which the path from a node to another one turns that begins downwards, or upwards,
+  // and the other node if it does not turn. `length` is a part of the summary, the sum over all
+  // arcs of the differences of their ends.
   std::uint32_t first_turn(bool begins_downwards, std::uint32_t node, std::uint32_t other)
   {
     const auto goes_on = [&](std::uint32_t item, const Summary& sum) {

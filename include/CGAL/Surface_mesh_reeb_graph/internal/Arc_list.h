@@ -63,7 +63,8 @@ struct Arc_list
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  // The arc above a vertex in a wedge of upper edges, which an edge that points to the vertex stands for.
+  // The arc above a vertex in a wedge of upper edges, which an edge that points to the vertex
+  // stands for.
   struct Upper_wedge
   {
     halfedge_descriptor halfedge;
@@ -75,8 +76,8 @@ struct Arc_list
   std::vector<std::uint32_t> arc_of_vertex; // by vertex index; no_arc if the vertex has no edge
   std::vector<Upper_wedge> upper_wedges;    // of the vertices that several arcs begin at
 
-  // Gives the vertex of every node the first arc that begins there, or else the first that ends there. If
-  // several nodes have one vertex, the first node counts.
+  // Gives the vertex of every node the first arc that begins there, or else the first that ends
+  // there. If several nodes have one vertex, the first node counts.
   template <class VertexIndexMap>
   void set_arcs_of_nodes(VertexIndexMap vertex_index_map)
   {

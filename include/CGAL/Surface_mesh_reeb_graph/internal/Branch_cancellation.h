@@ -36,13 +36,14 @@ namespace internal {
 // own heights. A zip removes its pair and leaves all other extended persistence pairs as they are,
 // loops included.
 //
-// What hangs on a branch would move from branch to branch, if one was zipped after the other. So only branches
-// that are single arcs are taken away one by one; then all others on a side are zipped at once, see
-// Branch_zipper. The pairs on the other side do not change thereby. All takes O(m log m) time for m nodes and arcs.
+// What hangs on a branch would move from branch to branch, if one was zipped after the other. So
+// only branches that are single arcs are taken away one by one; then all others on a side are
+// zipped at once, see Branch_zipper. The pairs on the other side do not change thereby. All takes
+// O(m log m) time for m nodes and arcs.
 //
 // Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that
-// it hung on, others to the points of the same height. (The end of a branch on which nothing hangs any more goes to
-// the arc next to the last node that something hangs on.)
+// it hung on, others to the points of the same height. (The end of a branch on which nothing hangs
+// any more goes to the arc next to the last node that something hangs on.)
 class Branch_cancellation : public Folded_graph
 {
 public:
@@ -73,8 +74,8 @@ public:
     cancel(small_pairs);
   }
 
-  // Cancels some of `pairs()`, in their order. Of every component these must be the first ones, and nothing may have
-  // changed since `pairs()` was called.
+  // Cancels some of `pairs()`, in their order. Of every component these must be the first ones, and
+  // nothing may have changed since `pairs()` was called.
   void cancel(const std::vector<Extremum_pair>& pairs_to_cancel)
   {
     std::array<std::vector<bool>, 2> is_left; // by side and extremum

@@ -24,18 +24,21 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Zips branches on a side of a Reeb graph together with their neighbors, all at once. (In the comments the side is BELOW.)
+// Zips branches on a side of a Reeb graph together with their neighbors, all at once. (In the
+// comments the side is BELOW.)
 //
-// From every node a way leads down: along any one of its arcs, from there on in the same manner, and from a minimum
-// that is cancelled along the way that its branch was zipped to. To cancel a pair is to glue the two ways that begin at
-// its saddle, with the arc towards the minimum and with the one towards the eldest minimum, down to the height of the
-// minimum. So at every height the arcs fall into strands that become one arc each.
+// From every node a way leads down: along any one of its arcs, from there on in the same manner,
+// and from a minimum that is cancelled along the way that its branch was zipped to. To cancel a
+// pair is to glue the two ways that begin at its saddle, with the arc towards the minimum and with
+// the one towards the eldest minimum, down to the height of the minimum. So at every height the
+// arcs fall into strands that become one arc each.
 //
-// One pass over the nodes from the highest to the lowest keeps track of the strands. At a saddle of a cancelled pair two
-// of them become one. An arc that ends at a node leaves its strand to the node's arc that leads on, if there are others
-// in the strand (otherwise no way that is glued leads through it, and the strand ends); so strands that arrive at the
-// same node become one, too. At a cancelled minimum the arc is gone, and the others of its strand go on. A node that has
-// but one strand above and one below is none any more.
+// One pass over the nodes from the highest to the lowest keeps track of the strands. At a saddle of
+// a cancelled pair two of them become one. An arc that ends at a node leaves its strand to the
+// node's arc that leads on, if there are others in the strand (otherwise no way that is glued leads
+// through it, and the strand ends); so strands that arrive at the same node become one, too. At a
+// cancelled minimum the arc is gone, and the others of its strand go on. A node that has but one
+// strand above and one below is none any more.
 class Branch_zipper
 {
 public:
@@ -199,10 +202,11 @@ private:
   const Side m_side;
   std::vector<Branch> m_branches;
   Number_sets m_sets; // of arcs: those of a strand, and those that have left it
-  // by the root of the set: how many arcs are in the strand, and the new arc that the strand becomes
+  // by the root of the set: how many arcs are in the strand, and the new arc that the strand
+  // becomes
   std::vector<std::uint32_t> m_size, m_strand;
-  // by arc, if it is zipped: the new arc where its points begin their way, and the node that they go next to if
-  // they do not keep their heights
+  // by arc, if it is zipped: the new arc where its points begin their way, and the node that they
+  // go next to if they do not keep their heights
   std::vector<std::uint32_t> m_first, m_next_to;
   Zipped_branches m_zipped;
   // at a node: the arcs, the new arcs that arrive, any arc of the strands that go on

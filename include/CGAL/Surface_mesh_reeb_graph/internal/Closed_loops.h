@@ -28,7 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The loops of a folded graph that have been closed, and where the points of the graph went thereby.
+// The loops of a folded graph that have been closed, and where the points of the graph went
+// thereby.
 class Closed_loops
 {
 public:
@@ -56,8 +57,9 @@ public:
   // Whether other pairs may have changed.
   bool have_other_pairs_changed() const { return m_have_other_pairs_changed; }
 
-  // Moves points of arcs that are glued along paths to the arcs of the paths: those at some positions. `is_below(i, node)`
-  // tells whether the vertex at `points[i]` lies below a node. Takes O((n + m) log m) time for n points and m arcs.
+  // Moves points of arcs that are glued along paths to the arcs of the paths: those at some
+  // positions. `is_below(i, node)` tells whether the vertex at `points[i]` lies below a node. Takes
+  // O((n + m) log m) time for n points and m arcs.
   template <class IsBelow>
   void move(const Folded_graph& graph,
             std::vector<Point_on_arc>& points,
@@ -91,8 +93,8 @@ public:
     if (parts.empty())
       return;
 
-    // Two nodes of a part are joined by one path only at heights between theirs; so, when the forest has the arcs down
-    // to the lower one, by that in the forest.
+    // Two nodes of a part are joined by one path only at heights between theirs; so, when the
+    // forest has the arcs down to the lower one, by that in the forest.
     Arc_forest<> forest(m_core.number_of_nodes(), m_arcs);
     const std::vector<std::uint32_t> sorted_arcs =
         sorted_downwards(m_core.number_of_nodes(), m_arcs);
@@ -151,8 +153,8 @@ private:
   std::vector<std::uint32_t> m_first_part; // by arc, and the number of all parts
 };
 
-// Moves points to the arcs that they belong to after the graph has been simplified, with some loops closed in between.
-// `is_below(i, node)` tells whether the vertex at `points[i]` lies below a node.
+// Moves points to the arcs that they belong to after the graph has been simplified, with some loops
+// closed in between. `is_below(i, node)` tells whether the vertex at `points[i]` lies below a node.
 template <class IsBelow>
 void follow(Folded_graph& graph,
             const Closed_loops& closed_loops,

@@ -31,9 +31,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The vertices that may be critical, as nodes, numbered in their order, and for every wedge of theirs a node in the
-// component of the sublevel (or superlevel) set that it leads to: the end of a monotone path. On demand a
-// multiple saddle is unfolded: it becomes several nodes with the same vertex, which are simple saddles.
+// The vertices that may be critical, as nodes, numbered in their order, and for every wedge of
+// theirs a node in the component of the sublevel (or superlevel) set that it leads to: the end of a
+// monotone path. On demand a multiple saddle is unfolded: it becomes several nodes with the same
+// vertex, which are simple saddles.
 template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
 struct Critical_nodes
 {
@@ -54,8 +55,8 @@ struct Critical_nodes
     return !is_first_of_vertex(node) || (node + 1 < size() && !is_first_of_vertex(node + 1));
   }
 
-  // The ends of monotone paths have the numbers that the nodes get in the order of the mesh; the leaves of cuts have
-  // numbers beyond.
+  // The ends of monotone paths have the numbers that the nodes get in the order of the mesh; the
+  // leaves of cuts have numbers beyond.
   std::uint32_t number_of_end(std::uint32_t end) const
   {
     return end < number.size() ? number[end] : end;
@@ -68,8 +69,8 @@ struct Critical_nodes
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
   // the numbers of the upward paths, by wedge; none for the way to another node of the same vertex
   std::vector<std::uint32_t> upper_path;
-  // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null for the way to
-  // another node of the same vertex
+  // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null
+  // for the way to another node of the same vertex
   std::vector<halfedge_descriptor> lower_halfedge, upper_halfedge;
 };
 
@@ -188,8 +189,8 @@ private:
     nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
   }
 
-  // Follows the paths through the wedges, and returns their numbers. A way from a node to another one of the same
-  // vertex has no edge, and no path.
+  // Follows the paths through the wedges, and returns their numbers. A way from a node to another
+  // one of the same vertex has no edge, and no path.
   std::vector<std::uint32_t>
   follow(const std::vector<halfedge_descriptor>& halfedges, Paths& paths) const
   {
@@ -247,9 +248,9 @@ private:
       nodes.upper_halfedge[upper++] = wedge.second;
   }
 
-  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
-  // across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i + 1) across U(i); what
-  // passes by the last one is Uk.
+  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1
+  // and L2 across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i +
+  // 1) across U(i); what passes by the last one is Uk.
   void read_unfolded_wedges(std::uint32_t first, Reader& reader) const
   {
     Nodes& nodes = reader.nodes;
@@ -282,8 +283,8 @@ private:
     }
   }
 
-  // The values are copied beside the nodes: reading them through property maps would miss the cache at
-  // every comparison.
+  // The values are copied beside the nodes: reading them through property maps would miss the cache
+  // at every comparison.
   void sort(Nodes& nodes) const
   {
     struct Keyed_node

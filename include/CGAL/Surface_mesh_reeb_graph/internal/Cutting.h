@@ -49,7 +49,8 @@ namespace internal {
 //    walks along the level set find out, and the surface is cut along the shorter component: then there are no
 //    loops, and every cut becomes a leaf of the graph whose arc is led to the saddle of the cut in the end.
 //
-// Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget bounds.
+// Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget
+// bounds.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Cutting
 {
@@ -161,13 +162,14 @@ private:
                                     });
   }
 
-  // Below which nodes two components of the level set may belong to the same component of the sublevel set,
-  // as far as the forests tell; in increasing order.
+  // Below which nodes two components of the level set may belong to the same component of the
+  // sublevel set, as far as the forests tell; in increasing order.
   //
-  // Let a vertex in the interior have k lower and k upper wedges; around it they take turns, and the level sets
-  // below and above it are the same elsewhere. Closed components make at most k + 1 together, below and
-  // above. The sublevel and superlevel sets have no more of them: if they have as many, all of them are apart.
-  // A component that ends on the border changes nothing as long as there is one at most.
+  // Let a vertex in the interior have k lower and k upper wedges; around it they take turns, and
+  // the level sets below and above it are the same elsewhere. Closed components make at most k + 1
+  // together, below and above. The sublevel and superlevel sets have no more of them: if they have
+  // as many, all of them are apart. A component that ends on the border changes nothing as long as
+  // there is one at most.
   std::vector<std::uint32_t> nodes_that_may_have_loops(Paths& ascents) const
   {
     std::vector<std::uint32_t> result;
@@ -191,7 +193,8 @@ private:
     return result;
   }
 
-  // How many of the components of the superlevel set that merge at a node touch the border, or may do so.
+  // How many of the components of the superlevel set that merge at a node touch the border, or may
+  // do so.
   std::vector<std::uint32_t> number_of_open_components_above(Paths& ascents) const
   {
     std::vector<bool> touches_border(m_nodes.size(), false);
@@ -280,7 +283,8 @@ private:
   Merge_forest m_sublevel_forest, m_superlevel_forest;
   std::vector<std::uint32_t> m_may_have_loops;               // nodes, in increasing order
   std::vector<std::uint32_t> m_number_below, m_number_above; // of arcs, by node
-  // what an upper wedge leads to: a child of its node in the forest, later its position; only on request
+  // what an upper wedge leads to: a child of its node in the forest, later its position; only on
+  // request
   std::vector<std::uint32_t> m_component_of_upper_wedge;
 };
 

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Numbers of the edges, by the indices of their halfedges. (CGAL's own initialized index map of edges cannot be used
-// for a polyhedron without ids.)
+// Numbers of the edges, by the indices of their halfedges. (CGAL's own initialized index map of
+// edges cannot be used for a polyhedron without ids.)
 template <class TriangleMesh, class HalfedgeIndexMap>
 class Edge_numbers
 {

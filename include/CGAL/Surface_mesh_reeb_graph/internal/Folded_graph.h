@@ -68,8 +68,8 @@ public:
   // The next arc on the same side of the same node.
   std::uint32_t next_arc(Side side, std::uint32_t arc) const { return m_links[arc][side].next; }
 
-  // Moves a point to the arc that it belongs to now, or to one that is_glued_along_paths(). `is_below(node)` tells
-  // whether the vertex lies below a node.
+  // Moves a point to the arc that it belongs to now, or to one that is_glued_along_paths().
+  // `is_below(node)` tells whether the vertex lies below a node.
   template <class IsBelow>
   void follow(Point_on_arc& point, const IsBelow& is_below)
   {
@@ -94,7 +94,8 @@ public:
     }
   }
 
-  // The arc that a vertex belongs to which belonged to `arc` at the beginning, if no loops have been closed.
+  // The arc that a vertex belongs to which belonged to `arc` at the beginning, if no loops have
+  // been closed.
   template <class IsBelow>
   std::uint32_t arc_after(std::uint32_t arc, const IsBelow& is_below)
   {
@@ -134,9 +135,10 @@ public:
     m_fates[arc].arc = other;
   }
 
-  // Replaces arcs by those that come about when branches are zipped together with their neighbors. For arcs that are
-  // replaced, `first` holds the position of the new arc where their points begin their way; `next_to` holds a node if
-  // the points go next to it instead of to those of the same height.
+  // Replaces arcs by those that come about when branches are zipped together with their neighbors.
+  // For arcs that are replaced, `first` holds the position of the new arc where their points begin
+  // their way; `next_to` holds a node if the points go next to it instead of to those of the same
+  // height.
   void replace(Zipped_branches&& branches,
                const std::vector<std::uint32_t>& first,
                const std::vector<std::uint32_t>& next_to)
@@ -191,8 +193,8 @@ public:
   }
 
 private:
-  // What became of an arc: it stays; it went into another one; it was glued along paths of others; or it was zipped
-  // together with others, as a part of a branch.
+  // What became of an arc: it stays; it went into another one; it was glued along paths of others;
+  // or it was zipped together with others, as a part of a branch.
   enum Fate_kind { STAYS, GOES_INTO, IS_GLUED_ALONG_PATHS, IS_ZIPPED };
 
   struct Fate

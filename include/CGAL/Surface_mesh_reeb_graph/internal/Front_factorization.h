@@ -22,10 +22,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Dense work on the fronts of a multifrontal Cholesky factorization. A front is a panel, the columns that
-// are eliminated, by columns, and the lower triangle of the update that remains for the other rows. Most
-// fronts of a surface mesh are so small that general products spend their time on preparations; blocks
-// of 4 x 4 entries, which fit into registers, do better there.
+// Dense work on the fronts of a multifrontal Cholesky factorization. A front is a panel, the
+// columns that are eliminated, by columns, and the lower triangle of the update that remains for
+// the other rows. Most fronts of a surface mesh are so small that general products spend their time
+// on preparations; blocks of 4 x 4 entries, which fit into registers, do better there.
 template <class Scalar>
 class Front_factorization
 {
@@ -33,8 +33,9 @@ class Front_factorization
   static constexpr int block = 4;
 
 public:
-  // Replaces the `width` columns of `panel`, whose first `width` rows are symmetric and stored in the lower
-  // triangle, by those of the Cholesky factor. Returns whether all pivots are positive and finite.
+  // Replaces the `width` columns of `panel`, whose first `width` rows are symmetric and stored in
+  // the lower triangle, by those of the Cholesky factor. Returns whether all pivots are positive
+  // and finite.
   bool eliminate(Scalar* panel, const Index rows, const Index width)
   {
     constexpr Index block_width = 48;
@@ -48,8 +49,8 @@ public:
     return true;
   }
 
-  // Subtracts `B B^T` from the lower triangle of the square matrix `update` of order `below`, where B is
-  // the last `below` rows of `panel`. What is above the diagonal is undefined afterwards.
+  // Subtracts `B B^T` from the lower triangle of the square matrix `update` of order `below`, where
+  // B is the last `below` rows of `panel`. What is above the diagonal is undefined afterwards.
   void subtract_square(
       const Scalar* panel, const Index rows, const Index width, Scalar* update, const Index below)
   {
@@ -124,8 +125,8 @@ private:
       }
     }
 
-    // Multiplies by the inverse of the transposed lower triangle at `d`, whose diagonal is inverted in
-    // `inverse`.
+    // Multiplies by the inverse of the transposed lower triangle at `d`, whose diagonal is inverted
+    // in `inverse`.
     EIGEN_STRONG_INLINE void solve(const Scalar* d, const Index stride, const Scalar* inverse)
     {
       c0.multiply(inverse[0]);
@@ -214,8 +215,8 @@ private:
     return true;
   }
 
-  // The columns of L next to the first `depth` ones, in `Rows` rows at `a` below the diagonal block `d`,
-  // which starts a row at `b`.
+  // The columns of L next to the first `depth` ones, in `Rows` rows at `a` below the diagonal block
+  // `d`, which starts a row at `b`.
   template <int Rows, int Columns>
   static void eliminate_rows(Scalar* a,
                              const Scalar* b,

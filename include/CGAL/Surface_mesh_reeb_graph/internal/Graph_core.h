@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// What is left of a graph when leaves are taken away as long as there are any: all cycles, and what lies between them.
-// Nodes and arcs have new numbers, in the same order.
+// What is left of a graph when leaves are taken away as long as there are any: all cycles, and what
+// lies between them. Nodes and arcs have new numbers, in the same order.
 class Graph_core
 {
 public:
@@ -31,7 +31,8 @@ public:
   template <class IsArc>
   Graph_core(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs, const IsArc& is_arc)
   {
-    // by node: how many arcs are left there, and the exclusive or of their numbers, which is that of the last one
+    // by node: how many arcs are left there, and the exclusive or of their numbers, which is that
+    // of the last one
     std::vector<std::uint32_t> degree(number_of_nodes, 0), last_arc(number_of_nodes, 0);
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
       if (!is_arc(arc))

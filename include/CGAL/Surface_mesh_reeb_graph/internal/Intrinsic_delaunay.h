@@ -22,16 +22,16 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Makes an intrinsic triangulation Delaunay by flipping edges within the surface: the cotangents of the two
-// angles opposite to every edge that is not on a border then have a sum that is not negative (Bobenko and
-// Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces", 2007). The surface stays the
-// same, its metric included; on borders nothing changes. Vertices may get edges to themselves, and several
-// edges in common.
+// Makes an intrinsic triangulation Delaunay by flipping edges within the surface: the cotangents of
+// the two angles opposite to every edge that is not on a border then have a sum that is not
+// negative (Bobenko and Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces",
+// 2007). The surface stays the same, its metric included; on borders nothing changes. Vertices may
+// get edges to themselves, and several edges in common.
 //
-// Every flip decreases the sum of the cotangents of all angles (the harmonic index). Only flips are made that
-// decrease the computed sum by more than what rounding can do to it, so that no triangulation comes back and
-// the algorithm ends. Triangles that rounding would leave without area have an infinite sum and never come
-// into being.
+// Every flip decreases the sum of the cotangents of all angles (the harmonic index). Only flips are
+// made that decrease the computed sum by more than what rounding can do to it, so that no
+// triangulation comes back and the algorithm ends. Triangles that rounding would leave without area
+// have an infinite sum and never come into being.
 //
 // On the meshes in use it takes O(n) flips; no polynomial bound is known.
 class Intrinsic_delaunay
@@ -85,7 +85,8 @@ private:
     return Intrinsic_triangle(m_triangulation.triangles[side / 3].lengths);
   }
 
-  // Flips the edge of the side, which is not on a border, if it is not Delaunay; returns whether it did.
+  // Flips the edge of the side, which is not on a border, if it is not Delaunay; returns whether it
+  // did.
   bool flip(Triangle_side side)
   {
     const Triangle_side other = m_glued[side];
@@ -93,8 +94,8 @@ private:
     if (side / 3 == other / 3)
       return false;
 
-    // In the order of the triangle with `side` the corners are c, a, b, the other's are d, b, a: the
-    // edge from a to b is to become one from c to d.
+    // In the order of the triangle with `side` the corners are c, a, b, the other's are d, b, a:
+    // the edge from a to b is to become one from c to d.
     const Triangle_side side_bc = following(side), side_ca = following(side_bc);
     const Triangle_side side_ad = following(other), side_db = following(side_ad);
     const double ab = length(side), bc = length(side_bc), ca = length(side_ca);

@@ -31,16 +31,17 @@ public:
   // The cotangent of the angle at corner i.
   double cotangent(int i) const { return twice_dot_product(i) / (4 * m_area); }
 
-  // The sum of the three cotangents; it is smallest, sqrt(3), for equilateral triangles and infinite for those
-  // without area.
+  // The sum of the three cotangents; it is smallest, sqrt(3), for equilateral triangles and
+  // infinite for those without area.
   double sum_of_cotangents() const
   {
     return (square(m_lengths[0]) + square(m_lengths[1]) + square(m_lengths[2])) / (4 * m_area);
   }
 
   // The part of the area that belongs to corner i: its Voronoi region, or if the triangle is obtuse
-  // half of the area at the obtuse corner and a quarter at the others (Meyer, Desbrun, Schroeder, Barr,
-  // "Discrete differential-geometry operators for triangulated 2-manifolds", 2003, Section 3.3).
+  // half of the area at the obtuse corner and a quarter at the others (Meyer, Desbrun, Schroeder,
+  // Barr, "Discrete differential-geometry operators for triangulated 2-manifolds", 2003, Section
+  // 3.3).
   double mixed_voronoi_area(int i) const
   {
     const int j = (i + 1) % 3, k = (i + 2) % 3;

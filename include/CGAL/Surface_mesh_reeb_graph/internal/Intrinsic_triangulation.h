@@ -31,13 +31,14 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The triangles of one connected component, known by nothing but their corners (positions of vertices in the
-// component) and the lengths of their edges. Corners of a triangle may be the same vertex.
+// The triangles of one connected component, known by nothing but their corners (positions of
+// vertices in the component) and the lengths of their edges. Corners of a triangle may be the same
+// vertex.
 //
 // Lengths are measured in the mean edge length of the component, so nothing depends on its size.
-// They are mollified: all are increased by the least amount that makes every triangle inequality hold
-// with a margin of 1e-5 mean lengths (Sharp and Crane, "A Laplacian for nonmanifold triangle meshes",
-// 2020, Section 4.5). Nothing changes on good meshes; degenerate faces do no harm.
+// They are mollified: all are increased by the least amount that makes every triangle inequality
+// hold with a margin of 1e-5 mean lengths (Sharp and Crane, "A Laplacian for nonmanifold triangle
+// meshes", 2020, Section 4.5). Nothing changes on good meshes; degenerate faces do no harm.
 struct Intrinsic_triangulation
 {
   struct Triangle
@@ -112,7 +113,8 @@ Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& tmesh,
 using Triangle_side = std::uint32_t;
 constexpr Triangle_side no_triangle_side = (std::numeric_limits<Triangle_side>::max)();
 
-// For every side of the triangles of a component the one that it is glued to, `no_triangle_side` on borders.
+// For every side of the triangles of a component the one that it is glued to, `no_triangle_side` on
+// borders.
 template <class TriangleMesh>
 std::vector<Triangle_side> glued_sides(const TriangleMesh& tmesh,
                                        const Mesh_components<TriangleMesh>& components,

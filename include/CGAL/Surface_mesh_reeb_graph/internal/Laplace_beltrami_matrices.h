@@ -32,9 +32,10 @@ namespace internal {
 // The Laplace-Beltrami operator of one connected component with n vertices, discretized with linear
 // elements on the lengths of the edges.
 //
-// The triangles are those of the mesh with mollified lengths (see `Intrinsic_triangulation`) or, optionally, those
-// of the intrinsic Delaunay triangulation of the same surface (see `Intrinsic_delaunay`), for which no coefficient
-// outside of the diagonal is positive but those of edges on a border opposite to an obtuse angle.
+// The triangles are those of the mesh with mollified lengths (see `Intrinsic_triangulation`) or,
+// optionally, those of the intrinsic Delaunay triangulation of the same surface (see
+// `Intrinsic_delaunay`), for which no coefficient outside of the diagonal is positive but those of
+// edges on a border opposite to an obtuse angle.
 //
 // Nothing is imposed on borders: this is the Neumann condition.
 struct Laplace_beltrami_matrices
@@ -47,8 +48,9 @@ struct Laplace_beltrami_matrices
   double area = 0;      // their sum, in squared units
 };
 
-// Makes a stiffness matrix from the weights of the sides of triangles: an entry is at most the sum of two. Every
-// column has room for all that its triangles add to it, so that nothing has to be sorted but short columns.
+// Makes a stiffness matrix from the weights of the sides of triangles: an entry is at most the sum
+// of two. Every column has room for all that its triangles add to it, so that nothing has to be
+// sorted but short columns.
 class Stiffness_assembly
 {
 public:

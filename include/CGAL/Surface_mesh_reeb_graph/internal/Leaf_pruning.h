@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Puts together a Reeb graph without loops from the merge forests of its sublevel and of its superlevel
-// sets (Carr, Snoeyink, Axen, "Computing contour trees in all dimensions", 2003): a leaf of one of them is
-// a leaf of the graph, and its arc leads to its parent; leaf and arc are taken away, and so on.
+// Puts together a Reeb graph without loops from the merge forests of its sublevel and of its
+// superlevel sets (Carr, Snoeyink, Axen, "Computing contour trees in all dimensions", 2003): a leaf
+// of one of them is a leaf of the graph, and its arc leads to its parent; leaf and arc are taken
+// away, and so on.
 class Leaf_pruning
 {
 public:
@@ -39,7 +40,8 @@ public:
     : m_sublevel_forest(sublevel_forest), m_superlevel_forest(superlevel_forest)
   {}
 
-  // `sequence` holds the nodes of both forests. Those for which `is_regular` holds are no nodes of the graph.
+  // `sequence` holds the nodes of both forests. Those for which `is_regular` holds are no nodes of
+  // the graph.
   template <class IsRegular>
   void run(const std::vector<std::uint32_t>& sequence, const IsRegular& is_regular)
   {
@@ -79,8 +81,9 @@ public:
       throw_several_fans();
   }
 
-  // The number of the arc that a point of the surface belongs to which lies above `below` in the forest of
-  // sublevel sets, and below `above` in that of superlevel sets: the first one that was taken away.
+  // The number of the arc that a point of the surface belongs to which lies above `below` in the
+  // forest of sublevel sets, and below `above` in that of superlevel sets: the first one that was
+  // taken away.
   std::uint32_t arc(std::uint32_t below, std::uint32_t above)
   {
     return (std::min)(arc_after(0, below), arc_after(1, above));
@@ -89,8 +92,8 @@ public:
   std::vector<Arc> arcs; // in the order in which they were taken away
 
 private:
-  // What became of the way from a node to its parent in a forest: an arc, or a part of the way from the
-  // child that took the place of the node.
+  // What became of the way from a node to its parent in a forest: an arc, or a part of the way from
+  // the child that took the place of the node.
   struct Fate
   {
     std::uint32_t arc = no_arc;

@@ -40,19 +40,22 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Computes the Reeb graph of a surface without border on which the nodes below which there may be loops lie between two
-// levels: with a sweep from one to the other, and without any walk above and below.
+// Computes the Reeb graph of a surface without border on which the nodes below which there may be
+// loops lie between two levels: with a sweep from one to the other, and without any walk above and
+// below.
 //
-// The band between the two levels is cut out of the surface. What is left has no loops, and its Reeb graph follows
-// from its merge forests (see Leaf_pruning): every component of the lower level set is a maximum there, and every one of
-// the upper level set a minimum. The sweep through the band begins with the former and ends with the latter, where the
-// arcs are put together.
+// The band between the two levels is cut out of the surface. What is left has no loops, and its
+// Reeb graph follows from its merge forests (see Leaf_pruning): every component of the lower level
+// set is a maximum there, and every one of the upper level set a minimum. The sweep through the
+// band begins with the former and ends with the latter, where the arcs are put together.
 //
-// Two components of the lower (upper) level set never lie in the same component X of the sublevel set and in the same
-// component Y of the superlevel set: a node below (above) at which they part would be one that may have loops.
-// So they are named by pairs (X, Y), which the forests of the whole surface tell.
+// Two components of the lower (upper) level set never lie in the same component X of the sublevel
+// set and in the same component Y of the superlevel set: a node below (above) at which they part
+// would be one that may have loops. So they are named by pairs (X, Y), which the forests of the
+// whole surface tell.
 //
-// Takes O(n) time for n vertices, and O(m log m) for m nodes, and vertices and crossed edges in the band.
+// Takes O(n) time for n vertices, and O(m log m) for m nodes, and vertices and crossed edges in the
+// band.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Level_band
 {
@@ -61,7 +64,8 @@ class Level_band
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
 
 public:
-  // `may_have_loops` holds the nodes below which there may be loops, in increasing order, at least one.
+  // `may_have_loops` holds the nodes below which there may be loops, in increasing order, at least
+  // one.
   Level_band(const TriangleMesh& tmesh,
              const VertexOrder& order,
              VertexIndexMap vertex_index_map,
@@ -84,8 +88,8 @@ public:
       ++m_end;
   }
 
-  // Writes nodes and arcs. The forests are those of the whole surface, and are changed. Returns false if there are more
-  // vertices in the band than that.
+  // Writes nodes and arcs. The forests are those of the whole surface, and are changed. Returns
+  // false if there are more vertices in the band than that.
   bool run(Merge_forest& sublevel_forest,
            Merge_forest& superlevel_forest,
            std::size_t largest_number_of_vertices,
@@ -112,8 +116,9 @@ public:
   }
 
 private:
-  // A way from a node through one of its wedges across a level. The component of the level set that is crossed lies in
-  // one component of the sublevel set and one of the superlevel set, which are named by their last nodes.
+  // A way from a node through one of its wedges across a level. The component of the level set that
+  // is crossed lies in one component of the sublevel set and one of the superlevel set, which are
+  // named by their last nodes.
   struct Way
   {
     std::uint32_t below, above;
@@ -139,8 +144,8 @@ private:
     return true;
   }
 
-  // Counted by the halfedges that point to the vertices: a circulation would not see all of them if the faces around
-  // a vertex form several fans.
+  // Counted by the halfedges that point to the vertices: a circulation would not see all of them if
+  // the faces around a vertex form several fans.
   std::size_t number_of_edges_around_band() const
   {
     std::size_t result = 0;
@@ -163,8 +168,8 @@ private:
     return result;
   }
 
-  // For every node from `begin` on the last one that lies there, on the way down, in its component of the superlevel
-  // set. The elements before it mean nothing.
+  // For every node from `begin` on the last one that lies there, on the way down, in its component
+  // of the superlevel set. The elements before it mean nothing.
   std::vector<std::uint32_t> last_nodes_above(std::uint32_t begin, const Merge_forest& forest) const
   {
     std::vector<std::uint32_t> result(m_nodes.size());
@@ -189,7 +194,8 @@ private:
     ways = std::move(sorted);
   }
 
-  // Returns a way for every component of the level set, and tells every wedge the number of its component.
+  // Returns a way for every component of the level set, and tells every wedge the number of its
+  // component.
   template <class SetComponent>
   std::vector<Way> components(std::vector<Way>& ways, const SetComponent& set_component) const
   {
@@ -204,8 +210,8 @@ private:
     return result;
   }
 
-  // Finds the components of the lower level set. Returns the ends of the upper wedges of the nodes below the band: those
-  // that lead into it, or across, end at a component.
+  // Finds the components of the lower level set. Returns the ends of the upper wedges of the nodes
+  // below the band: those that lead into it, or across, end at a component.
   std::vector<std::uint32_t>
   find_lower_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
   {
@@ -223,8 +229,8 @@ private:
     return ends;
   }
 
-  // The same for the upper level set, and the lower wedges of the nodes above the band; the first elements mean
-  // nothing. To be called after `find_lower_components()`.
+  // The same for the upper level set, and the lower wedges of the nodes above the band; the first
+  // elements mean nothing. To be called after `find_lower_components()`.
   std::vector<std::uint32_t>
   find_upper_components(const Merge_forest& sublevel_forest, const Merge_forest& superlevel_forest)
   {
@@ -258,9 +264,10 @@ private:
   }
   bool is_upper_component(std::uint32_t node) const { return node >= upper_component(0); }
 
-  // Turns the forests of the whole surface into those of the surface outside of the band. That of sublevel sets stays
-  // as it is below the band, and the components of the lower level set follow: where several of them bound one component
-  // of the sublevel set, one after the other. Above the band all begins anew. The other forest alike.
+  // Turns the forests of the whole surface into those of the surface outside of the band. That of
+  // sublevel sets stays as it is below the band, and the components of the lower level set follow:
+  // where several of them bound one component of the sublevel set, one after the other. Above the
+  // band all begins anew. The other forest alike.
   void cut_out(Merge_forest& sublevel_forest, Merge_forest& superlevel_forest)
   {
     const std::vector<std::uint32_t> upper_end =
@@ -341,9 +348,10 @@ private:
 
   // ---- the sweep through the band
 
-  // Follows the path through the wedge of every component up or down to the level that the component lies in, and finds the
-  // edges that cross the level there, as halfedges that point upwards. Such a path was first found as one of
-  // Monotone_paths: it goes around the vertices the same way, so it meets no node.
+  // Follows the path through the wedge of every component up or down to the level that the
+  // component lies in, and finds the edges that cross the level there, as halfedges that point
+  // upwards. Such a path was first found as one of Monotone_paths: it goes around the vertices the
+  // same way, so it meets no node.
   template <class IsBeyond>
   std::vector<halfedge_descriptor>
   crossed_edges(Side side, const std::vector<Way>& components, const IsBeyond& is_beyond) const
@@ -447,8 +455,8 @@ private:
         });
   }
 
-  // The arcs of the sweep that the components of the upper level set belong to. Each is walked along up to an edge that
-  // the sweep knows.
+  // The arcs of the sweep that the components of the upper level set belong to. Each is walked
+  // along up to an edge that the sweep knows.
   template <class Sweep>
   std::vector<std::uint32_t> arcs_of_upper_components(Sweep& sweep) const
   {
@@ -485,7 +493,8 @@ private:
     return result;
   }
 
-  // The node above the band that every arc of the sweep leads to, or the node of the sweep at which it ends.
+  // The node above the band that every arc of the sweep leads to, or the node of the sweep at which
+  // it ends.
   template <class Sweep>
   std::vector<std::uint32_t> upper_ends(const std::vector<Leaf_pruning::Arc>& outer_arcs,
                                         const std::vector<std::uint32_t>& number,

@@ -41,7 +41,8 @@ public:
     return face(m_halfedge, tmesh) == Graph_traits::null_face();
   }
 
-  // The triangle to be crossed next: its third vertex, and the halfedges by which the walk may leave it.
+  // The triangle to be crossed next: its third vertex, and the halfedges by which the walk may
+  // leave it.
   struct Crossing
   {
     vertex_descriptor vertex;
@@ -62,7 +63,8 @@ public:
     m_halfedge = opposite(crossing.ways[is_vertex_above == m_is_forward ? 1 : 0], tmesh);
   }
 
-  // Both at once; returns the third vertex. `is_above` tells on which side of the level a vertex lies.
+  // Both at once; returns the third vertex. `is_above` tells on which side of the level a vertex
+  // lies.
   template <class IsAbove>
   vertex_descriptor step(const TriangleMesh& tmesh, const IsAbove& is_above)
   {

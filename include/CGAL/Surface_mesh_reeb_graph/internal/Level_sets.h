@@ -22,14 +22,14 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The components of a level set that rises, each as the sequence of the edges that it crosses, closed or from
-// border to border. The sequences have elements that no edge stands for any more: taking them out would
-// change nothing.
+// The components of a level set that rises, each as the sequence of the edges that it crosses,
+// closed or from border to border. The sequences have elements that no edge stands for any more:
+// taking them out would change nothing.
 class Level_sets
 {
 public:
-  // A run of edges around a vertex in cyclic order: a lower one by its first and last element in the
-  // sequence; an upper one by the number of its edges, to which new elements are given.
+  // A run of edges around a vertex in cyclic order: a lower one by its first and last element in
+  // the sequence; an upper one by the number of its edges, to which new elements are given.
   struct Run
   {
     bool is_upper;
@@ -48,8 +48,8 @@ public:
     bool is_closed;
   };
 
-  // Gives `size` upper edges the elements of the lower ones, from the first of the former to the last of the
-  // latter; more are added as needed: what a regular vertex does.
+  // Gives `size` upper edges the elements of the lower ones, from the first of the former to the
+  // last of the latter; more are added as needed: what a regular vertex does.
   void replace(std::vector<std::uint32_t>& run, std::size_t size)
   {
     while (run.size() < size)
@@ -58,7 +58,8 @@ public:
     std::reverse(run.begin(), run.end());
   }
 
-  // Adds a closed component of `size` edges. Returns the element of the first of them; the others' elements follow.
+  // Adds a closed component of `size` edges. Returns the element of the first of them; the others'
+  // elements follow.
   std::uint32_t add_component(std::size_t size, std::uint32_t arc)
   {
     const std::uint32_t first = m_sequences.number_of_elements();
@@ -76,8 +77,9 @@ public:
     return m_states[m_sequences.number(element)].arc;
   }
 
-  // Lets the level rise past a vertex: cuts the lower runs out of their components and puts together what is left
-  // with the upper runs. `arcs_below` receives the arcs of the components below.
+  // Lets the level rise past a vertex: cuts the lower runs out of their components and puts
+  // together what is left with the upper runs. `arcs_below` receives the arcs of the components
+  // below.
   void pass(std::vector<Run>& runs, std::vector<std::uint32_t>& arcs_below)
   {
     const std::size_t number = runs.size();
@@ -119,8 +121,8 @@ private:
     bool is_closed;
   };
 
-  // A part of a component that lies outside of the runs. Its ends are at gaps between runs, or at the border. Gap
-  // i lies between run i and the next one.
+  // A part of a component that lies outside of the runs. Its ends are at gaps between runs, or at
+  // the border. Gap i lies between run i and the next one.
   struct Piece
   {
     std::uint32_t root;

@@ -23,12 +23,13 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the paths between them, in amortized
-// logarithmic time (Sleator, Tarjan, "Self-adjusting binary search trees", 1985): the trees are cut into paths, and
-// every path is kept in a splay tree.
+// A forest over the numbers 0, 1, ... that can be changed everywhere and asked for the paths
+// between them, in amortized logarithmic time (Sleator, Tarjan, "Self-adjusting binary search
+// trees", 1985): the trees are cut into paths, and every path is kept in a splay tree.
 //
-// `Summary` says what is known of a set of numbers: its default value, for the empty set, is neutral in the sum of two,
-// which is associative and commutative (or may depend on the order where several results will do).
+// `Summary` says what is known of a set of numbers: its default value, for the empty set, is
+// neutral in the sum of two, which is associative and commutative (or may depend on the order where
+// several results will do).
 template <class Summary>
 class Link_cut_forest
 {
@@ -94,9 +95,9 @@ public:
     std::uint32_t item, next; // `no_item` if there is no next one
   };
 
-  // The last item on the path from `x` to `y`, two items of one tree, for which `holds(item, sum)` is true, and the next
-  // one; `sum` is that over the path from `x` to the item, both included. It must be true for `x`, and for no item
-  // behind one for which it is not.
+  // The last item on the path from `x` to `y`, two items of one tree, for which `holds(item, sum)`
+  // is true, and the next one; `sum` is that over the path from `x` to the item, both included. It
+  // must be true for `x`, and for no item behind one for which it is not.
   template <class Holds>
   Neighbors_on_path last_on_path(std::uint32_t x, std::uint32_t y, const Holds& holds)
   {

@@ -29,10 +29,11 @@ namespace internal {
 
 // Finds which wedges on one side of a vertex belong to the same component of the level set there.
 //
-// The level set leaves a wedge at its two ends: a forward walk starts at the first edge, and arrives at the
-// last edge of a wedge or at the border. All walks take one step in turn, until all components but one are known
-// from end to end; the one that is left, about the longest, is never walked to its end. On a mesh with border
-// a component may end there in both directions, so backward walks start at the last edges too.
+// The level set leaves a wedge at its two ends: a forward walk starts at the first edge, and
+// arrives at the last edge of a wedge or at the border. All walks take one step in turn, until all
+// components but one are known from end to end; the one that is left, about the longest, is never
+// walked to its end. On a mesh with border a component may end there in both directions, so
+// backward walks start at the last edges too.
 //
 // What is said of the side above holds for the side below in the reversed order.
 template <class TriangleMesh>
@@ -90,8 +91,8 @@ public:
   // How many walks there are to take the next step.
   std::size_t number_of_walks() const { return is_done() ? 0 : m_turns.size(); }
 
-  // Reads what the next steps need, in two stages; `is_above(u)` tells on which side of the level a vertex
-  // lies.
+  // Reads what the next steps need, in two stages; `is_above(u)` tells on which side of the level a
+  // vertex lies.
   void read_crossings()
   {
     for (Turn& turn : m_turns)
@@ -125,8 +126,8 @@ public:
   // Whether a component is the one that has not been walked to its end.
   bool is_longest(std::uint32_t component) const { return m_wedges[component].open_ends > 0; }
 
-  // The edges that were crossed, as halfedges that point upwards, with a wedge of their component. There may be some
-  // twice; those at the vertex itself are not among them.
+  // The edges that were crossed, as halfedges that point upwards, with a wedge of their component.
+  // There may be some twice; those at the vertex itself are not among them.
   std::vector<std::pair<std::uint32_t, halfedge_descriptor>> crossed;
 
 private:

@@ -34,31 +34,36 @@ struct Glued_part
 
 // Closes loops of a Reeb graph: folds their cycles flat.
 //
-// At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of their other ends. Of
-// the longer arc a part is left there, the cycle has one node less; and so on, until two parallel arcs are left, which
-// become one. What hangs on the cycle hangs on the fold afterwards, at its own height, so the fold is a quotient of the
-// graph that has one loop less.
+// At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of
+// their other ends. Of the longer arc a part is left there, the cycle has one node less; and so on,
+// until two parallel arcs are left, which become one. What hangs on the cycle hangs on the fold
+// afterwards, at its own height, so the fold is a quotient of the graph that has one loop less.
 //
-// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one side to the point of
-// the same height on the other, and no other extended persistence pair changes. Sublevel and superlevel sets stay
-// connected as they were, since s and m have joined the two sides already. Of the part of the graph between two heights,
-// the fold glues two intervals: if s or m lies between the heights, they hang together there, and no cycle comes or
-// goes; if both do, the cycle goes; if none does, the two intervals belong to different components of the part, or else
-// there would be a cycle with the split s and a merge below m, and no cycle comes or goes either.
+// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one
+// side to the point of the same height on the other, and no other extended persistence pair
+// changes. Sublevel and superlevel sets stay connected as they were, since s and m have joined the
+// two sides already. Of the part of the graph between two heights, the fold glues two intervals: if
+// s or m lies between the heights, they hang together there, and no cycle comes or goes; if both
+// do, the cycle goes; if none does, the two intervals belong to different components of the part,
+// or else there would be a cycle with the split s and a merge below m, and no cycle comes or goes
+// either.
 //
-// If a side goes up and down, its peaks are zipped first, each down to the higher one of the two valleys beside it. Then
-// other pairs may change: two points of the same height are glued that were connected only along the cycle, so two
-// components of sublevel or superlevel sets may become one earlier, by no more than the persistence of the loop.
+// If a side goes up and down, its peaks are zipped first, each down to the higher one of the two
+// valleys beside it. Then other pairs may change: two points of the same height are glued that were
+// connected only along the cycle, so two components of sublevel or superlevel sets may become one
+// earlier, by no more than the persistence of the loop.
 //
-// The loops are closed in the order of their splits, from the highest one on, and no small loop comes up later. Before an
-// arc comes there is no small loop at all, and two through the arc would differ by one without it; so there is at most one.
-// To close it changes the highest node of another cycle only if this is a peak that is zipped, which lies at or below m,
-// and never raises the lowest one; a cycle that gets small thereby lay between s and m before, and was small.
+// The loops are closed in the order of their splits, from the highest one on, and no small loop
+// comes up later. Before an arc comes there is no small loop at all, and two through the arc would
+// differ by one without it; so there is at most one. To close it changes the highest node of
+// another cycle only if this is a peak that is zipped, which lies at or below m, and never raises
+// the lowest one; a cycle that gets small thereby lay between s and m before, and was small.
 //
-// A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie above its lower end
-// at once. The logarithms of the lengths of all arcs, measured in nodes, bound the number of changes from one side to
-// the other: it is O(log m) for each zip and O(m log m) in all (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data
-// structures for mergeable trees", 2011). Every change takes O(log m) time.
+// A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie
+// above its lower end at once. The logarithms of the lengths of all arcs, measured in nodes, bound
+// the number of changes from one side to the other: it is O(log m) for each zip and O(m log m) in
+// all (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data structures for mergeable trees", 2011).
+// Every change takes O(log m) time.
 class Loop_closing
 {
 public:
@@ -70,8 +75,8 @@ public:
     : m_number_of_nodes(number_of_nodes), m_arcs(arcs), m_forest(number_of_nodes, m_arcs)
   {}
 
-  // Closes the loops for which `is_small(pair)` holds. If it holds for a pair, it must hold for all pairs of the same
-  // component that lie between the two nodes.
+  // Closes the loops for which `is_small(pair)` holds. If it holds for a pair, it must hold for all
+  // pairs of the same component that lie between the two nodes.
   template <class IsSmall>
   void run(const IsSmall& is_small)
   {
@@ -85,8 +90,8 @@ public:
   // What is left of every arc. If nothing is, the ends are the same.
   const std::vector<Arc_ends>& arcs() const { return m_arcs; }
 
-  // Those of an arc from the highest to the lowest. Between two nodes there is only one path downwards that they can
-  // have been glued to.
+  // Those of an arc from the highest to the lowest. Between two nodes there is only one path
+  // downwards that they can have been glued to.
   const std::vector<Glued_part>& glued_parts() const { return m_glued_parts; }
 
   // Whether other pairs may have changed.
@@ -111,8 +116,8 @@ private:
     std::uint64_t length = 0; // the sum over the arcs
   };
 
-  // Closes the loop of the path between the ends of an arc that is not in the forest, and whose upper node is the
-  // highest one of the cycle.
+  // Closes the loop of the path between the ends of an arc that is not in the forest, and whose
+  // upper node is the highest one of the cycle.
   void close(std::uint32_t arc, std::uint32_t split)
   {
     const Arc_ends ends = m_arcs[arc];
@@ -147,8 +152,8 @@ private:
     std::uint32_t arc, valley;
   };
 
-  // Zips two paths downwards together that begin at a node, one of them in the forest, down to the higher one of their
-  // valleys.
+  // Zips two paths downwards together that begin at a node, one of them in the forest, down to the
+  // higher one of their valleys.
   void zip(std::uint32_t node, Side_of_cycle side, std::uint32_t other_valley)
   {
     std::uint32_t other_arc = m_forest.first_on_path(node, other_valley);

@@ -39,10 +39,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Cuts the surface along components of level sets such that its Reeb graph loses all loops and keeps
-// everything else: just below a node every component of the sublevel set keeps one of the components of the level
-// set that lead from it to the node, and is cut along the others. A cut ends the surface below in a leaf, a
-// node that lies between its saddle and all that is lower.
+// Cuts the surface along components of level sets such that its Reeb graph loses all loops and
+// keeps everything else: just below a node every component of the sublevel set keeps one of the
+// components of the level set that lead from it to the node, and is cut along the others. A cut
+// ends the surface below in a leaf, a node that lies between its saddle and all that is lower.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Loop_cuts
 {
@@ -72,15 +72,15 @@ public:
     , m_unfolded(tmesh, order)
   {}
 
-  // Walks along the level set below the nodes at which there may be loops, which are in increasing order, to find its
-  // components. Returns false if that takes more steps than the budget allows.
+  // Walks along the level set below the nodes at which there may be loops, which are in increasing
+  // order, to find its components. Returns false if that takes more steps than the budget allows.
   bool find_components(const std::vector<std::uint32_t>& nodes)
   {
     m_walked.resize(nodes.size());
     std::atomic<bool> is_budget_spent(false);
     std::atomic<std::int64_t> budget(m_budget);
-    // a part of the budget is there for all nodes; the rest is shared out, so that if the first nodes take more than
-    // their shares, it is soon seen that all together will take too much
+    // a part of the budget is there for all nodes; the rest is shared out, so that if the first
+    // nodes take more than their shares, it is soon seen that all together will take too much
     const std::int64_t share =
         (m_budget - m_budget / 16) / (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
     std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
@@ -125,8 +125,9 @@ public:
     return !is_budget_spent;
   }
 
-  // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the paths. The components
-  // must be known. Returns false if that takes more steps than the budget allows.
+  // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the
+  // paths. The components must be known. Returns false if that takes more steps than the budget
+  // allows.
   bool cut(const std::vector<std::uint32_t>& may_have_loops, Merge_forest& forest)
   {
     forest.clear(m_nodes.size());
@@ -159,8 +160,8 @@ public:
   std::vector<std::uint32_t> saddles;  // of the leaves, whose numbers follow those of the nodes
 
 private:
-  // What the walks below a node have found: the component of every lower wedge, named after one of its wedges,
-  // and the component that has not been walked to its end.
+  // What the walks below a node have found: the component of every lower wedge, named after one of
+  // its wedges, and the component that has not been walked to its end.
   struct Walked
   {
     std::vector<std::uint32_t> component_of_wedge;
@@ -249,7 +250,8 @@ private:
   void cut_below(std::uint32_t node, std::ptrdiff_t number, Merge_forest& forest)
   {
     const Walked& walked = m_walked[static_cast<std::size_t>(number)];
-    // for every component of the level set the one of the sublevel set, found before there are leaves
+    // for every component of the level set the one of the sublevel set, found before there are
+    // leaves
     struct Component
     {
       std::uint32_t sublevel, walked_last, level, end;

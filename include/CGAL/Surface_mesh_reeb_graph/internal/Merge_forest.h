@@ -21,10 +21,10 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The forest that tells how the components of the sublevel sets merge as the level rises, or those of the
-// superlevel sets as it falls: every node with the next one of its component as its parent. Instead of a list of
-// its children a node has their number and the exclusive or of their names, which is the name of the last
-// one when one is left.
+// The forest that tells how the components of the sublevel sets merge as the level rises, or those
+// of the superlevel sets as it falls: every node with the next one of its component as its parent.
+// Instead of a list of its children a node has their number and the exclusive or of their names,
+// which is the name of the last one when one is left.
 class Merge_forest
 {
 public:
@@ -34,8 +34,8 @@ public:
 
   void clear(std::size_t size) { m_nodes.assign(size, Node()); }
 
-  // Makes the nodes from `begin` to `end` forget their parents and children. (A child outside of them still has its
-  // parent, which must be set anew.)
+  // Makes the nodes from `begin` to `end` forget their parents and children. (A child outside of
+  // them still has its parent, which must be set anew.)
   void clear(std::size_t begin, std::size_t end)
   {
     std::fill(m_nodes.begin() + static_cast<std::ptrdiff_t>(begin),

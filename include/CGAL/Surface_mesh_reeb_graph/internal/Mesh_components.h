@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The connected components of a mesh, isolated vertices included, in the order of their first vertices.
+// The connected components of a mesh, isolated vertices included, in the order of their first
+// vertices.
 template <class TriangleMesh>
 class Mesh_components
 {

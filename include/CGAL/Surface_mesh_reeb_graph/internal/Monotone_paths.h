@@ -28,10 +28,11 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Monotone paths along the edges of the mesh, down or up to the first vertex that is given as a node, or up to a cut.
-// Every vertex that a path passes is marked with it, and paths that come later end in it there, so all paths
-// together take a step per vertex or little more. Cuts may be made when the paths are known. Paths
-// may be followed by several threads at once: where a path leads does not depend on who passes first.
+// Monotone paths along the edges of the mesh, down or up to the first vertex that is given as a
+// node, or up to a cut. Every vertex that a path passes is marked with it, and paths that come
+// later end in it there, so all paths together take a step per vertex or little more. Cuts may be
+// made when the paths are known. Paths may be followed by several threads at once: where a path
+// leads does not depend on who passes first.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Monotone_paths
 {
@@ -40,7 +41,8 @@ class Monotone_paths
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
 
 public:
-  // The place of a cut on a path: above the vertex `below`, where ways up end in the node `leaf` then.
+  // The place of a cut on a path: above the vertex `below`, where ways up end in the node `leaf`
+  // then.
   struct Cut
   {
     std::uint32_t path;
@@ -60,16 +62,16 @@ public:
     , m_way(index_bound)
   {}
 
-  // Paths that reach `v` end there, at the node `node`. To be called for all nodes, numbered from 0 on, before there
-  // is any path.
+  // Paths that reach `v` end there, at the node `node`. To be called for all nodes, numbered from 0
+  // on, before there is any path.
   void set_node(vertex_descriptor v, std::uint32_t node)
   {
     m_number_of_nodes = (std::max)(m_number_of_nodes, node + 1);
     m_way[index(v)].store(node + 1, std::memory_order_relaxed);
   }
 
-  // Follows the paths from the vertices `start(i)` for `i < number`. Their numbers come after those of the paths that
-  // were followed before.
+  // Follows the paths from the vertices `start(i)` for `i < number`. Their numbers come after those
+  // of the paths that were followed before.
   template <class Start>
   void follow(std::size_t number, const Start& start)
   {
@@ -81,7 +83,8 @@ public:
     m_tails.clear();
   }
 
-  // The node at which a path ends from its start on, and from a vertex on that a path has passed (or that is a node).
+  // The node at which a path ends from its start on, and from a vertex on that a path has passed
+  // (or that is a node).
   std::uint32_t end(std::uint32_t path)
   {
     const auto cut = first_cut(path);
@@ -101,7 +104,8 @@ public:
     return w == no_way || is_node(w) ? no_path : w - m_number_of_nodes;
   }
 
-  // The edge through which the path that has passed a vertex goes on, as a halfedge that points to the vertex.
+  // The edge through which the path that has passed a vertex goes on, as a halfedge that points to
+  // the vertex.
   halfedge_descriptor way_out(vertex_descriptor v) const
   {
     halfedge_descriptor h = halfedge(v, m_tmesh);
@@ -122,7 +126,8 @@ public:
     m_tails.clear();
   }
 
-  // Finds all ends, so that those that are asked for afterwards are only looked up: by several threads, say.
+  // Finds all ends, so that those that are asked for afterwards are only looked up: by several
+  // threads, say.
   void find_ends()
   {
     for (std::uint32_t path = 0; path < m_paths.size(); ++path)
@@ -167,8 +172,8 @@ private:
     return m_side == BELOW ? m_order(u, v) : m_order(v, u);
   }
 
-  // The next edge around a vertex. Ways up and down turn in different directions: as meshes are made, the first edges
-  // of a vertex often lead to one side, and the last ones to the other.
+  // The next edge around a vertex. Ways up and down turn in different directions: as meshes are
+  // made, the first edges of a vertex often lead to one side, and the last ones to the other.
   halfedge_descriptor next_edge(halfedge_descriptor h) const
   {
     return m_side == BELOW ? prev(opposite(h, m_tmesh), m_tmesh)
@@ -207,8 +212,9 @@ private:
         });
   }
 
-  // Looks at one edge. Any one to a vertex on the side will do: all of them lead to the same component of the
-  // sublevel (or superlevel) sets that hold the vertex too. Returns false if the path is over.
+  // Looks at one edge. Any one to a vertex on the side will do: all of them lead to the same
+  // component of the sublevel (or superlevel) sets that hold the vertex too. Returns false if the
+  // path is over.
   bool advance(Walker& walker)
   {
     if (walker.is_neighbor_on_side)
@@ -220,7 +226,8 @@ private:
     return true;
   }
 
-  // Marks the vertex `v`, unless `way_of_v` or another path is there already: then the path is over.
+  // Marks the vertex `v`, unless `way_of_v` or another path is there already: then the path is
+  // over.
   bool pass(Walker& walker, vertex_descriptor v, std::uint32_t way_of_v)
   {
     if (way_of_v == no_way)

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Substitution with the columns of one supernode of a Cholesky factor, stored as a panel by columns, for
-// `Columns` right-hand sides stored by rows. `x` are the rows of the pivots, `y` those below.
+// Substitution with the columns of one supernode of a Cholesky factor, stored as a panel by
+// columns, for `Columns` right-hand sides stored by rows. `x` are the rows of the pivots, `y` those
+// below.
 template <class Scalar, int Columns>
 class Panel_solver
 {
@@ -161,7 +162,8 @@ private:
     }
   }
 
-  // Subtracts from the rows at `to` the product of the transposed panel at `l` with the rows at `y`.
+  // Subtracts from the rows at `to` the product of the transposed panel at `l` with the rows at
+  // `y`.
   template <int Number>
   void subtract_transposed(const Scalar* l, const Index rows, const Scalar* y, Scalar* to) const
   {

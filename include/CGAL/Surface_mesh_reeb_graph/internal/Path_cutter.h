@@ -22,8 +22,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Finds where cuts of the surface cut the upward paths from the wedges of the critical nodes. What is known of a
-// vertex is kept for the next edge: a cut crosses many edges of the same vertex one after the other.
+// Finds where cuts of the surface cut the upward paths from the wedges of the critical nodes. What
+// is known of a vertex is kept for the next edge: a cut crosses many edges of the same vertex one
+// after the other.
 template <class TriangleMesh, class Nodes, class Paths>
 class Path_cutter
 {
@@ -38,8 +39,8 @@ public:
     : m_tmesh(tmesh), m_nodes(nodes), m_ascents(ascents)
   {}
 
-  // Cuts what goes up through an edge that a cut crosses, which most edges do not matter for; `h` points to its lower
-  // end.
+  // Cuts what goes up through an edge that a cut crosses, which most edges do not matter for; `h`
+  // points to its lower end.
   void cut(halfedge_descriptor h, std::uint32_t leaf)
   {
     const vertex_descriptor v = target(h, m_tmesh);

@@ -19,14 +19,15 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A point of a Reeb graph while the graph is simplified: a vertex on its way from arc to arc. It may have been moved off
-// its height, into an arc that ends above or below it, for example.
+// A point of a Reeb graph while the graph is simplified: a vertex on its way from arc to arc. It
+// may have been moved off its height, into an arc that ends above or below it, for example.
 struct Point_on_arc
 {
   explicit Point_on_arc(std::uint32_t arc) : arc(arc) {}
 
   std::uint32_t arc;
-  // between nodes below the first number and those from the second one on; in between the vertex decides
+  // between nodes below the first number and those from the second one on; in between the vertex
+  // decides
   std::uint32_t lower = 0, upper = no_node;
 };
 

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Uniform numbers of [-1/2, 1/2). Those of the distributions of the standard library differ between its
-// implementations; the generator itself does not.
+// Uniform numbers of [-1/2, 1/2). Those of the distributions of the standard library differ between
+// its implementations; the generator itself does not.
 class Random_numbers
 {
 public:

@@ -21,16 +21,16 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Subtracts products of a dense matrix and its transpose, with memory that is used again from one to the
-// next. All matrices are stored by columns.
+// Subtracts products of a dense matrix and its transpose, with memory that is used again from one
+// to the next. All matrices are stored by columns.
 template <class Scalar>
 class Rank_update
 {
   using Index = Eigen::Index;
 
 public:
-  // `C -= A B^T`, where B are the first `columns` rows of A, which has `rows >= columns` rows and `depth`
-  // columns. What is above the diagonal of C is undefined afterwards.
+  // `C -= A B^T`, where B are the first `columns` rows of A, which has `rows >= columns` rows and
+  // `depth` columns. What is above the diagonal of C is undefined afterwards.
   void subtract(const Scalar* a,
                 const Index stride,
                 const Index rows,
@@ -67,7 +67,8 @@ private:
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
   static constexpr Index tile_rows = x86::tile_rows, tile_columns = x86::tile_columns;
 
-  // A part of A of so many rows and columns stays in the second cache, and `tile_columns` rows of B in the first.
+  // A part of A of so many rows and columns stays in the second cache, and `tile_columns` rows of B
+  // in the first.
   static constexpr Index largest_depth = 192;
   static constexpr Index rows_in_cache = 8 * tile_rows;
 
@@ -98,7 +99,8 @@ private:
     }
   }
 
-  // Copies rows in groups, which the last one is filled up to with zeros: those of a column side by side.
+  // Copies rows in groups, which the last one is filled up to with zeros: those of a column side by
+  // side.
   template <Index group>
   static void pack(const double* a,
                    const Index stride,

@@ -20,8 +20,8 @@ namespace internal {
 
 enum class Packet_size { FULL, HALF, ONE };
 
-// Eigen's packet of the given size, and how many numbers it has. The size is not asked for by the type: a
-// type with attributes as a template argument makes compilers warn.
+// Eigen's packet of the given size, and how many numbers it has. The size is not asked for by the
+// type: a type with attributes as a template argument makes compilers warn.
 template <class Scalar, Packet_size>
 struct Packet_of
 {
@@ -43,8 +43,8 @@ struct Packet_of<Scalar, Packet_size::ONE>
   static constexpr int size = 1;
 };
 
-// `Size` numbers that stay in registers, in Eigen's packets where these fit. Eigen's own vectors of fixed
-// size leave temporaries in memory unless the compiler optimizes for speed at any size.
+// `Size` numbers that stay in registers, in Eigen's packets where these fit. Eigen's own vectors of
+// fixed size leave temporaries in memory unless the compiler optimizes for speed at any size.
 template <class Scalar, int Size>
 class Register_vector
 {

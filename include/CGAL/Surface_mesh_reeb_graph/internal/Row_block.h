@@ -192,8 +192,8 @@ public:
     m_blocks.erase(m_blocks.begin() + begin, m_blocks.begin() + end);
   }
 
-  // A block to be filled. Memory of blocks that were erased is used again: the system takes longer to clear new memory
-  // than most products take.
+  // A block to be filled. Memory of blocks that were erased is used again: the system takes longer
+  // to clear new memory than most products take.
   Row_block new_block(Eigen::Index rows)
   {
     if (m_spare.empty()) {
@@ -207,8 +207,8 @@ public:
   }
   void free_spare_memory() { m_spare.clear(); }
 
-  // `w -= sum_i V_i c_i`, and then `w -= sum_i V_i (V_i^T w)` for the blocks from `begin` on. Returns the
-  // latter coefficients.
+  // `w -= sum_i V_i c_i`, and then `w -= sum_i V_i (V_i^T w)` for the blocks from `begin` on.
+  // Returns the latter coefficients.
   std::vector<Block_coefficients>
   subtract_and_project(const std::vector<std::pair<Eigen::Index, Block_coefficients>>& c,
                        Eigen::Index begin,
@@ -231,8 +231,8 @@ public:
 
   // `w -= V (V^T w)`; returns `w^T w` of the result.
   //
-  // The block `loose`, if it is not negative, is not quite orthogonal to the others yet, and is made so
-  // on the way, while these are in the cache.
+  // The block `loose`, if it is not negative, is not quite orthogonal to the others yet, and is
+  // made so on the way, while these are in the cache.
   Block_coefficients project_out_of(Row_block& w, Eigen::Index loose)
   {
     std::vector<Block_coefficients> c(m_blocks.size(), Block_coefficients::Zero()), d = c;
@@ -260,8 +260,8 @@ public:
     return square;
   }
 
-  // Replaces the first blocks, as many as `q` has rows for, by their product with `q`, which has a multiple of eight
-  // columns, not more than rows.
+  // Replaces the first blocks, as many as `q` has rows for, by their product with `q`, which has a
+  // multiple of eight columns, not more than rows.
   void multiply_from_right(const Eigen::MatrixXd& q)
   {
     const std::size_t number = static_cast<std::size_t>(q.rows() / block_width),

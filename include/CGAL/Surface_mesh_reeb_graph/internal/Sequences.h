@@ -23,9 +23,9 @@ namespace Surface_mesh_reeb_graph {
 namespace internal {
 
 // Sequences of elements that can be cut and put together, each as a splay tree (Sleator, Tarjan,
-// "Self-adjusting binary search trees", 1985): any sequence of m operations takes O(m log m) time. An
-// element stands for its sequence as long as it is the root of its tree, and has a number that belongs to the
-// sequence and goes from root to root.
+// "Self-adjusting binary search trees", 1985): any sequence of m operations takes O(m log m) time.
+// An element stands for its sequence as long as it is the root of its tree, and has a number that
+// belongs to the sequence and goes from root to root.
 class Sequences
 {
 public:
@@ -38,7 +38,8 @@ public:
     return static_cast<std::uint32_t>(m_elements.size() - 1);
   }
 
-  // Makes a sequence of `size` elements, which are the next ones, as a balanced tree. Returns its root.
+  // Makes a sequence of `size` elements, which are the next ones, as a balanced tree. Returns its
+  // root.
   std::uint32_t add_balanced(std::uint32_t size)
   {
     const std::uint32_t first = number_of_elements();
@@ -68,13 +69,13 @@ public:
   // \pre `x` is a root
   std::uint32_t& number(std::uint32_t x) { return m_elements[x].number; }
 
-  // Cuts a sequence before (after) the root `x`; returns the root of the other part, or `none`. Both parts
-  // have the number of the whole.
+  // Cuts a sequence before (after) the root `x`; returns the root of the other part, or `none`.
+  // Both parts have the number of the whole.
   std::uint32_t cut_before(std::uint32_t x) { return cut(x, 0); }
   std::uint32_t cut_after(std::uint32_t x) { return cut(x, 1); }
 
-  // Appends the sequence of the root `y` to that of the root `x`, whose number it gets; either may be `none`.
-  // Returns the root.
+  // Appends the sequence of the root `y` to that of the root `x`, whose number it gets; either may
+  // be `none`. Returns the root.
   std::uint32_t join(std::uint32_t x, std::uint32_t y)
   {
     if (x == none)

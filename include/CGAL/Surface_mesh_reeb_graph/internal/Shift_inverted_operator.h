@@ -72,8 +72,8 @@ struct Solves_permuted<
 // `A = M^1/2 (L + sigma M)^-1 M^1/2`. Its eigenvalues are `nu = 1 / (lambda + sigma)` for those of
 // `L psi = lambda M psi`, and infinitely large lambda (nu = 0) for vertices without mass.
 //
-// Vectors that A is applied to have their rows in an order of its own: that of the factor, if the solver can do with
-// it. Eigenfunctions have them in the order of L and M.
+// Vectors that A is applied to have their rows in an order of its own: that of the factor, if the
+// solver can do with it. Eigenfunctions have them in the order of L and M.
 template <class SolverTraits>
 class Shift_inverted_operator
 {
@@ -131,10 +131,10 @@ public:
     y = m_sqrt_mass.cwiseProduct(y);
   }
 
-  // Writes the eigenfunctions that belong to eigenvectors y of A with the eigenvalues nu to the columns of `psi`, as many
-  // as these are. `psi = M^-1/2 y` would say nothing where M is zero. One more application of A,
-  // `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes out most of the error of y, which is in the
-  // directions that A makes small. `y` is changed.
+  // Writes the eigenfunctions that belong to eigenvectors y of A with the eigenvalues nu to the
+  // columns of `psi`, as many as these are. `psi = M^-1/2 y` would say nothing where M is zero. One
+  // more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes
+  // out most of the error of y, which is in the directions that A makes small. `y` is changed.
   template <class Columns>
   void to_eigenfunctions(Row_block& y, const Eigen::VectorXd& nu, Columns psi)
   {
@@ -158,8 +158,8 @@ public:
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
 
   // Whether `number` of all eigenpairs are so many that a Krylov space leaves no room for what is
-  // orthogonal to it: then all eigenpairs are computed. A search for multiple ones keeps two vectors for every
-  // pair, and multiplies one or fewer for every pair.
+  // orthogonal to it: then all eigenpairs are computed. A search for multiple ones keeps two
+  // vectors for every pair, and multiplies one or fewer for every pair.
   bool is_small_for(Eigen::Index number) const
   {
     return (std::max)(3 * number + 60, 4 * number + 24) >= (m_sqrt_mass.array() > 0).count();

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The stars of several vertices that follow each other in the order. In memory such vertices lie far apart, and
-// every step around one of them waits for the memory. So the stars are read in turn: while one waits, the
-// others do too.
+// The stars of several vertices that follow each other in the order. In memory such vertices lie
+// far apart, and every step around one of them waits for the memory. So the stars are read in turn:
+// while one waits, the others do too.
 template <class TriangleMesh>
 class Star_block
 {

@@ -22,13 +22,14 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// What a Cholesky factor L of a sparse matrix looks like, without its numbers: supernodes are ranges of
-// columns that share their rows below the range. A supernode with its rows is a front of the multifrontal
-// method; fronts are numbered so that children come before their parent and next to each other.
+// What a Cholesky factor L of a sparse matrix looks like, without its numbers: supernodes are
+// ranges of columns that share their rows below the range. A supernode with its rows is a front of
+// the multifrontal method; fronts are numbered so that children come before their parent and next
+// to each other.
 //
-// The steps are the usual ones: elimination tree and postorder (Liu 1990), counts of the columns (Gilbert,
-// Ng and Peyton 1994), supernodes, and merging of small ones into their parents where this stores few
-// zeros (Ashcraft and Grimes 1989).
+// The steps are the usual ones: elimination tree and postorder (Liu 1990), counts of the columns
+// (Gilbert, Ng and Peyton 1994), supernodes, and merging of small ones into their parents where
+// this stores few zeros (Ashcraft and Grimes 1989).
 template <class StorageIndex>
 class Supernodal_structure
 {
@@ -38,8 +39,8 @@ public:
   Supernodal_structure() = default;
 
   // `pattern` is a symmetric matrix in both triangles, of which the positions count only;
-  // `position[i]` is the column of the factor that its column `i` becomes. Other positions that give the
-  // same fill may replace these: positions() has the final ones.
+  // `position[i]` is the column of the factor that its column `i` becomes. Other positions that
+  // give the same fill may replace these: positions() has the final ones.
   template <class Pattern>
   Supernodal_structure(const Pattern& pattern, std::vector<StorageIndex> position)
     : m_position(std::move(position))
@@ -202,8 +203,8 @@ private:
   }
 
   // Number of entries of every column of L, the diagonal included. Row i of L is a subtree of the
-  // elimination tree with root i; its leaves are found among the entries of the matrix. Counting paths
-  // from leaves to the root, less what consecutive paths share, is a sum over subtrees.
+  // elimination tree with root i; its leaves are found among the entries of the matrix. Counting
+  // paths from leaves to the root, less what consecutive paths share, is a sum over subtrees.
   template <class Pattern>
   std::vector<StorageIndex> column_counts(const Pattern& pattern, const Tree& tree) const
   {
@@ -260,8 +261,8 @@ private:
     return root;
   }
 
-  // Whether so many zeros are a fair price for one front less. Work on a small front is hardly work with
-  // numbers, so that zeros cost nothing there.
+  // Whether so many zeros are a fair price for one front less. Work on a small front is hardly work
+  // with numbers, so that zeros cost nothing there.
   static bool is_worth_merging(const Index zeros, const Index width, const Index below)
   {
     const double share = static_cast<double>(zeros) / static_cast<double>(entries(width, below));
@@ -362,8 +363,8 @@ private:
       p = at(column, p);
   }
 
-  // Lists of children in the order that needs the smallest stack of triangles: by decreasing difference
-  // of what the work on a subtree needs and what remains of it (Liu 1986).
+  // Lists of children in the order that needs the smallest stack of triangles: by decreasing
+  // difference of what the work on a subtree needs and what remains of it (Liu 1986).
   Children children_for_small_stack(const Tree& tree, const std::vector<Index>& below)
   {
     Children children(tree);

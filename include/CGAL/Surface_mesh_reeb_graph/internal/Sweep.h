@@ -32,15 +32,16 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Computes the Reeb graph by a sweep through the vertices in increasing order (after Cole-McLaughlin,
-// Edelsbrunner, Harer, Natarajan, Pascucci, "Loops in Reeb graphs of 2-manifolds", 2004).
+// Computes the Reeb graph by a sweep through the vertices in increasing order (after
+// Cole-McLaughlin, Edelsbrunner, Harer, Natarajan, Pascucci, "Loops in Reeb graphs of 2-manifolds",
+// 2004).
 //
-// The components of the level set are sequences of crossed edges, which split and merge in logarithmic time: the
-// sweep takes O(n log n) time whatever the function and the surface. At a regular vertex the upper edges just take over
-// the places of the lower ones.
+// The components of the level set are sequences of crossed edges, which split and merge in
+// logarithmic time: the sweep takes O(n log n) time whatever the function and the surface. At a
+// regular vertex the upper edges just take over the places of the lower ones.
 //
-// A sweep may also go through a part of the order only: then the components that come from below are given, and
-// those that reach beyond have arcs without an upper end.
+// A sweep may also go through a part of the order only: then the components that come from below
+// are given, and those that reach beyond have arcs without an upper end.
 template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
 class Sweep
 {
@@ -87,8 +88,9 @@ public:
     return std::move(m_result);
   }
 
-  // Adds a closed component that comes from below all vertices that are swept, by edges that it crosses, in the order
-  // of a forward walk: one at least, and all those whose upper ends are swept. Returns the number of its arc.
+  // Adds a closed component that comes from below all vertices that are swept, by edges that it
+  // crosses, in the order of a forward walk: one at least, and all those whose upper ends are
+  // swept. Returns the number of its arc.
   std::uint32_t add_component(const std::vector<halfedge_descriptor>& edges)
   {
     const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
@@ -102,8 +104,8 @@ public:
     return arc;
   }
 
-  // Lets the level rise past vertices, given in increasing order. Returns how many edges there are around them,
-  // counted for each of them.
+  // Lets the level rise past vertices, given in increasing order. Returns how many edges there are
+  // around them, counted for each of them.
   std::size_t pass_vertices(const std::vector<vertex_descriptor>& sorted)
   {
     Star_block<TriangleMesh> stars;
@@ -128,8 +130,8 @@ public:
     return number_of_star_edges;
   }
 
-  // Whether an edge has been added, or reached from its lower end. Not all that are crossed have, if the sweep began with
-  // some of them.
+  // Whether an edge has been added, or reached from its lower end. Not all that are crossed have,
+  // if the sweep began with some of them.
   bool is_known(halfedge_descriptor h) const
   {
     return m_element[m_edge_numbers(h)] != Sequences::none;
@@ -231,7 +233,8 @@ private:
         element(star.halfedges[i]) = m_level_sets.elements[run.elements_begin + i - wedge.begin];
   }
 
-  // Lets the level rise past the runs, which makes a node unless one component goes in and one comes out.
+  // Lets the level rise past the runs, which makes a node unless one component goes in and one
+  // comes out.
   void pass(vertex_descriptor v)
   {
     std::sort(m_lowest.begin(), m_lowest.end(), [this](const Lowest& a, const Lowest& b) {
@@ -258,8 +261,9 @@ private:
     m_is_branching = m_request.has_wedge_arcs && m_level_sets.components.size() > 1;
   }
 
-  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1 and L2
-  // across U1 to one strand that passes by the vertex, and so on; what passes by the last one is Uk.
+  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1
+  // and L2 across U1 to one strand that passes by the vertex, and so on; what passes by the last
+  // one is Uk.
   void unfold(vertex_descriptor v, Star& star)
   {
     star.begin_at_lowest_vertex(m_tmesh, m_order);

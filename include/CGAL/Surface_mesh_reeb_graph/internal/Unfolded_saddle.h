@@ -26,10 +26,11 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The components of the level set just below each of the simple saddles that a multiple saddle is unfolded
-// into. Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. Saddle i joins the strand of the level set that
-// passes by the saddles before, from the first edge of L1 to the last one of L(i), and the strand of
-// L(i + 1), across U(i). Outside of the star of the vertex the level set is the same for all of them.
+// The components of the level set just below each of the simple saddles that a multiple saddle is
+// unfolded into. Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. Saddle i joins the
+// strand of the level set that passes by the saddles before, from the first edge of L1 to the last
+// one of L(i), and the strand of L(i + 1), across U(i). Outside of the star of the vertex the level
+// set is the same for all of them.
 template <class TriangleMesh, class VertexOrder>
 class Unfolded_saddle
 {
@@ -44,8 +45,9 @@ public:
     : m_tmesh(tmesh), m_order(order)
   {}
 
-  // Finds the ways of the level set around the vertex from the first edge of every lower wedge to the last edge of
-  // another one, or to the border. Returns false if that takes more steps than the budget allows.
+  // Finds the ways of the level set around the vertex from the first edge of every lower wedge to
+  // the last edge of another one, or to the border. Returns false if that takes more steps than the
+  // budget allows.
   bool set_vertex(vertex_descriptor v, std::int64_t& budget)
   {
     if (!m_star.halfedges.empty() && target(m_star.halfedges.front(), m_tmesh) == v)
@@ -82,14 +84,15 @@ public:
 
   const Star& star() const { return m_star; }
 
-  // Whether, just below saddle `i`, both strands belong to one component. If they do not, the parts of the
-  // component of L(i + 1) are told by the functions that follow.
+  // Whether, just below saddle `i`, both strands belong to one component. If they do not, the parts
+  // of the component of L(i + 1) are told by the functions that follow.
   bool is_one_component(std::size_t i, std::int64_t& budget)
   {
     m_traced_wedges.assign(1, 2 * i);
     m_traced_first_ends.clear();
     m_traced_last_ends.clear();
-    // against the direction of the walks: a strand is entered at its last edge and left at its first one
+    // against the direction of the walks: a strand is entered at its last edge and left at its
+    // first one
     for (std::size_t w = i;;) {
       m_traced_first_ends.push_back(2 * w);
       const std::size_t p = m_previous[w]; // arrives at the last edge of L(p + 1)
@@ -117,8 +120,8 @@ public:
     }
   }
 
-  // Of the component, as positions in the star: its wedges, and the lower wedges from whose first (last) edge it
-  // leaves the star.
+  // Of the component, as positions in the star: its wedges, and the lower wedges from whose first
+  // (last) edge it leaves the star.
   const std::vector<std::size_t>& traced_wedges() const { return m_traced_wedges; }
   const std::vector<std::size_t>& traced_first_ends() const { return m_traced_first_ends; }
   const std::vector<std::size_t>& traced_last_ends() const { return m_traced_last_ends; }

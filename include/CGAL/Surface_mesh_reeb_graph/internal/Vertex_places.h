@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The places of all vertices in the two merge forests: for each the last node below in its component of the
-// sublevel set, and the first one above in that of the superlevel set.
+// The places of all vertices in the two merge forests: for each the last node below in its
+// component of the sublevel set, and the first one above in that of the superlevel set.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Vertex_places
 {
@@ -74,7 +74,8 @@ public:
     find_ends(descents, node_below);
     find_ends(ascents, node_above);
     count_nodes_below(sequence);
-    // in the order of the numbers, so that the ways along the parents can be shortened for all that follow
+    // in the order of the numbers, so that the ways along the parents can be shortened for all that
+    // follow
     const std::vector<std::uint32_t> sorted = vertices_by_number(sequence.size());
     m_position.resize(sequence.size());
     for (std::size_t i = 0; i < sequence.size(); ++i)
@@ -158,7 +159,8 @@ private:
     return result;
   }
 
-  // Leads every vertex from a node along its parents as far as they lie on the near side of the vertex.
+  // Leads every vertex from a node along its parents as far as they lie on the near side of the
+  // vertex.
   template <class Iterator, class IsNear>
   void climb(const Merge_forest& forest,
              Iterator begin,

@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The edges around a vertex in cyclic order, and their wedges: runs of edges that lead to the same side
-// of the level of the vertex, each joined to the next one by a face. A component of the level set just
-// below (above) the vertex passes through a lower (upper) wedge from one end to the other.
+// The edges around a vertex in cyclic order, and their wedges: runs of edges that lead to the same
+// side of the level of the vertex, each joined to the next one by a face. A component of the level
+// set just below (above) the vertex passes through a lower (upper) wedge from one end to the other.
 template <class TriangleMesh>
 class Vertex_star
 {
@@ -57,8 +57,8 @@ public:
         halfedges.push_back(h);
   }
 
-  // Finds the wedges; `is_above(h)` tells whether the edge `h` leads to a vertex above the level. The edges
-  // are rotated so that no wedge goes across the end of their list.
+  // Finds the wedges; `is_above(h)` tells whether the edge `h` leads to a vertex above the level.
+  // The edges are rotated so that no wedge goes across the end of their list.
   template <class IsAbove>
   void find_wedges(const TriangleMesh& tmesh, const IsAbove& is_above)
   {
@@ -114,8 +114,9 @@ public:
                              });
   }
 
-  // Rotates a closed fan of lower and upper wedges in turn such that it begins with the lower wedge that has
-  // the lowest vertex: a beginning that does not depend on how the data structure circulates.
+  // Rotates a closed fan of lower and upper wedges in turn such that it begins with the lower wedge
+  // that has the lowest vertex: a beginning that does not depend on how the data structure
+  // circulates.
   template <class Less>
   void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)
   {

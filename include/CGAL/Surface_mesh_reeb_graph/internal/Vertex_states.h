@@ -29,16 +29,17 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// What one pass over the faces tells of every vertex, in a byte: of how many faces it is the middle vertex,
-// up to a bound, and whether it lies on the border. A vertex in the interior is regular if and only if it is the
-// middle vertex of two faces: around it the edges change from lower to upper ones and back once.
+// What one pass over the faces tells of every vertex, in a byte: of how many faces it is the middle
+// vertex, up to a bound, and whether it lies on the border. A vertex in the interior is regular if
+// and only if it is the middle vertex of two faces: around it the edges change from lower to upper
+// ones and back once.
 class Vertex_states
 {
 public:
   explicit Vertex_states(std::size_t index_bound) : m_states(index_bound, 0) {}
 
-  // Makes the pass. `key(v)` gives what vertices are compared by. Returns false if the keys of a face are
-  // not distinct; the states mean nothing then.
+  // Makes the pass. `key(v)` gives what vertices are compared by. Returns false if the keys of a
+  // face are not distinct; the states mean nothing then.
   template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class Key>
   bool classify(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map, const Key& key)
   {
@@ -81,7 +82,8 @@ public:
     if (!have_three_edges ||
         number_of_halfedges != 3 * number_of_faces + border.number_of_halfedges)
       throw Reeb_graph_error("the mesh has a face that is not a triangle");
-    // Of the two halfedges of an edge one rises, or none if its values are equal, or one of them is not a number.
+    // Of the two halfedges of an edge one rises, or none if its values are equal, or one of them is
+    // not a number.
     const std::size_t number_of_edges = number_of_halfedges / 2 - border.number_of_faceless_edges;
     return number_of_rising_halfedges + border.number_of_rising_halfedges == number_of_edges;
   }
@@ -134,8 +136,8 @@ private:
     return static_cast<std::uint8_t>((std::min)(int(a) + int(b), int(LARGEST_NUMBER)));
   }
 
-  // Goes over `number` faces from `face` on, a few at a time: their middle vertices first, which wait for nothing but
-  // the mesh, and then the counts, of which neighboring faces often share one.
+  // Goes over `number` faces from `face` on, a few at a time: their middle vertices first, which
+  // wait for nothing but the mesh, and then the counts, of which neighboring faces often share one.
   template <class TriangleMesh, class FaceIterator, class VertexIndexMap, class Key>
   static void pass(const TriangleMesh& tmesh,
                    FaceIterator face,
@@ -146,7 +148,8 @@ private:
                    std::vector<std::uint8_t>& states)
   {
     std::array<std::size_t, 16> middle;
-    // numbers in the place of truth values: no branches, which could not be predicted where the function is noisy
+    // numbers in the place of truth values: no branches, which could not be predicted where the
+    // function is noisy
     unsigned have_three_edges = 1;
     while (number > 0) {
       const std::size_t size = (std::min)(number, middle.size());

@@ -19,10 +19,11 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The arcs that come about when the branches on a side of a graph are zipped together with their neighbors, and where
-// the points of the arcs go that they are made of. Towards the side they follow each other: the points of an arc that
-// was zipped begin in one of the new arcs and go on to those behind it, down to their own height. Links that skip a part
-// of the way find it in O(log m) time for m arcs.
+// The arcs that come about when the branches on a side of a graph are zipped together with their
+// neighbors, and where the points of the arcs go that they are made of. Towards the side they
+// follow each other: the points of an arc that was zipped begin in one of the new arcs and go on to
+// those behind it, down to their own height. Links that skip a part of the way find it in O(log m)
+// time for m arcs.
 class Zipped_branches
 {
 public:
@@ -40,7 +41,8 @@ public:
 
   void end_arc(std::uint32_t position, std::uint32_t node) { m_arcs[position].end = node; }
 
-  // Says which arc the points go to that come from one and lie beyond its end. It has been added later.
+  // Says which arc the points go to that come from one and lie beyond its end. It has been added
+  // later.
   void set_next(std::uint32_t position, std::uint32_t next) { m_arcs[position].next = next; }
 
   // Calls `add(begin, end)`, which returns a number, for all arcs.
@@ -55,8 +57,8 @@ public:
       arc.number = add(arc.begin, arc.end);
   }
 
-  // The number of the arc that a point goes to whose way begins in an arc. `point.is_below(node)` tells whether the
-  // point lies below a node.
+  // The number of the arc that a point goes to whose way begins in an arc. `point.is_below(node)`
+  // tells whether the point lies below a node.
   template <class Point>
   std::uint32_t arc_at(std::uint32_t position, const Point& point) const
   {

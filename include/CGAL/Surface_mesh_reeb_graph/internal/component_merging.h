@@ -26,11 +26,11 @@ struct Ignore_components
   void operator()(std::uint32_t, std::uint32_t) const {}
 };
 
-// Adds to a forest, which has room for all names and knows nothing of these nodes yet: visits the nodes in the given order
-// and merges the components that their wedges lead to, which are told by nodes in them, the ends of the wedges. The
-// sequence may hold more names than there are nodes: those of leaves, which are components of their own. Calls
-// `set_component(wedge, node)` for every wedge with the last node of its component, the child that the component has in
-// the forest.
+// Adds to a forest, which has room for all names and knows nothing of these nodes yet: visits the
+// nodes in the given order and merges the components that their wedges lead to, which are told by
+// nodes in them, the ends of the wedges. The sequence may hold more names than there are nodes:
+// those of leaves, which are components of their own. Calls `set_component(wedge, node)` for every
+// wedge with the last node of its component, the child that the component has in the forest.
 template <class Iterator, class SetComponent>
 void merge_components(Iterator begin,
                       Iterator end,

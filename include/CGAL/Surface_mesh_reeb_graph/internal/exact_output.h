@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// While it lives, a stream writes doubles such that they can be read back exactly, whatever format and
-// locale its user has set; these come back afterwards.
+// While it lives, a stream writes doubles such that they can be read back exactly, whatever format
+// and locale its user has set; these come back afterwards.
 class Exact_output
 {
 public:

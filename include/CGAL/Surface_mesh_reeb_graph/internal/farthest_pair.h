@@ -24,18 +24,19 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// The two rows of `eigenfunctions` (numbers of type `float` or `double`) that are farthest from each other after
-// multiplication of the columns with the given factors, which decrease from 1.
+// The two rows of `eigenfunctions` (numbers of type `float` or `double`) that are farthest from
+// each other after multiplication of the columns with the given factors, which decrease from 1.
 //
-// First the farthest point from a point is taken in turn until the distance grows no more. In the sphere
-// around the middle of that pair, two points farther apart than the pair cannot both lie inside; the pairs
-// that this leaves are compared exactly. At large times one eigenfunction rules, and few are left. On
-// shapes so symmetric that all points are candidates (a sphere), or at times so small that many eigenfunctions
-// count, there may be too many: the comparison stops after half a billion numbers, which takes about half a
-// second. The pair found by then need not be the farthest of all.
+// First the farthest point from a point is taken in turn until the distance grows no more. In the
+// sphere around the middle of that pair, two points farther apart than the pair cannot both lie
+// inside; the pairs that this leaves are compared exactly. At large times one eigenfunction rules,
+// and few are left. On shapes so symmetric that all points are candidates (a sphere), or at times
+// so small that many eigenfunctions count, there may be too many: the comparison stops after half a
+// billion numbers, which takes about half a second. The pair found by then need not be the farthest
+// of all.
 //
-// Every step of the first part, of which there are few, and the middle take one pass over the columns
-// whose factors are not negligible.
+// Every step of the first part, of which there are few, and the middle take one pass over the
+// columns whose factors are not negligible.
 template <class Matrix>
 std::pair<std::size_t, std::size_t>
 farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Asks the system for large pages behind `size` objects of memory that was allocated but not used yet.
-// The first use of every small page costs as much as reading it several times, and on virtual machines
-// more than that. Where the system does not know such a thing, nothing happens.
+// Asks the system for large pages behind `size` objects of memory that was allocated but not used
+// yet. The first use of every small page costs as much as reading it several times, and on virtual
+// machines more than that. Where the system does not know such a thing, nothing happens.
 template <class T>
 void prefer_huge_pages(const T* data, std::size_t size)
 {

@@ -17,13 +17,14 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Works on tasks of many small steps, each of which waits for the memory: several of them in turn, so that while
-// one waits the others do too. `begin(task)` sets up the next task and returns false if there is none,
-// `advance(task)` takes a step and returns false if the task is done. The tasks are objects that are used
-// again.
+// Works on tasks of many small steps, each of which waits for the memory: several of them in turn,
+// so that while one waits the others do too. `begin(task)` sets up the next task and returns false
+// if there is none, `advance(task)` takes a step and returns false if the task is done. The tasks
+// are objects that are used again.
 //
-// `stages` are what every step begins with. Each is done for all tasks before the next one, so that what a stage reads
-// has arrived when the next one needs it: a stage should read and not branch on what it reads.
+// `stages` are what every step begins with. Each is done for all tasks before the next one, so that
+// what a stage reads has arrived when the next one needs it: a stage should read and not branch on
+// what it reads.
 template <class Task, class Begin, class Advance, class... Stages>
 void in_turn(std::vector<Task>& tasks,
              const Begin& begin,

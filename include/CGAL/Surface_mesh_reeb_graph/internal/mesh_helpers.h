@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// One more than the largest index: the size of an array over the vertices. Indices need not be dense
-// (a `Surface_mesh` keeps those of removed vertices).
+// One more than the largest index: the size of an array over the vertices. Indices need not be
+// dense (a `Surface_mesh` keeps those of removed vertices).
 template <class TriangleMesh, class VertexIndexMap>
 std::size_t index_bound(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
 {
@@ -42,8 +42,8 @@ bool has_no_edge(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v
   return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
-// A circulation sees one closed fan of faces around a vertex. If there are several, the data structure cannot
-// show them all, and sooner or later something does not fit.
+// A circulation sees one closed fan of faces around a vertex. If there are several, the data
+// structure cannot show them all, and sooner or later something does not fit.
 [[noreturn]] inline void throw_several_fans()
 {
   throw Reeb_graph_error(

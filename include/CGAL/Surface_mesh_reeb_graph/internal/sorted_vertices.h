@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// Sorts vertices into increasing order. The values are copied beside the vertices: sorting through property maps
-// would miss the cache at every comparison.
+// Sorts vertices into increasing order. The values are copied beside the vertices: sorting through
+// property maps would miss the cache at every comparison.
 template <class ConcurrencyTag, class VertexDescriptor, class VertexOrder>
 void sort_vertices(std::vector<VertexDescriptor>& vertices, const VertexOrder& order)
 {

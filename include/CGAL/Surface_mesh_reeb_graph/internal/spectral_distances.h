@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A spectral distance is the Euclidean distance of the rows of a matrix: of the eigenfunctions, the columns,
-// each multiplied with a factor that follows from its eigenvalue.
+// A spectral distance is the Euclidean distance of the rows of a matrix: of the eigenfunctions, the
+// columns, each multiplied with a factor that follows from its eigenvalue.
 
 inline void check_diffusion_time(double time)
 {
@@ -47,8 +47,8 @@ inline Eigen::VectorXd exponential(const Eigen::ArrayXd& x)
   return x.unaryExpr([](double value) { return std::exp(value); });
 }
 
-// Eq. 8 of the paper. The factors of the differences, not of their squares, so that the range of numbers ends
-// where that of the distances does.
+// Eq. 8 of the paper. The factors of the differences, not of their squares, so that the range of
+// numbers ends where that of the distances does.
 inline Eigen::VectorXd diffusion_factors(const Eigen::VectorXd& eigenvalues, double time)
 {
   return exponential(-time * normalized(eigenvalues));
@@ -72,10 +72,10 @@ inline Eigen::Index number_of_factors_above(const Eigen::VectorXd& factors, doub
   return (factors.array() > negligible).count();
 }
 
-// The functions below read the matrix once, in blocks of rows that stay in the cache, at about the speed of
-// the memory. The numbers of the matrix may be `float` or `double`; all is computed in `double`.
-// Writes the squared distances of the rows from `begin` on to a point, one per entry of `result`. The point
-// consists of numbers of the matrix, not yet multiplied with the factors.
+// The functions below read the matrix once, in blocks of rows that stay in the cache, at about the
+// speed of the memory. The numbers of the matrix may be `float` or `double`; all is computed in
+// `double`. Writes the squared distances of the rows from `begin` on to a point, one per entry of
+// `result`. The point consists of numbers of the matrix, not yet multiplied with the factors.
 template <class Matrix>
 void squared_distances(const Matrix& eigenfunctions,
                        const Eigen::VectorXd& factors,
@@ -124,7 +124,8 @@ Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
                                   const Eigen::VectorXd& factors,
                                   const Eigen::RowVectorXd& point)
 {
-  // The sums stay in the nearest cache, and the parts of the columns are so long that they are fetched in advance.
+  // The sums stay in the nearest cache, and the parts of the columns are so long that they are
+  // fetched in advance.
   constexpr Eigen::Index rows_per_block = 4096;
   Eigen::VectorXd result(eigenfunctions.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
@@ -134,7 +135,8 @@ Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
   return result;
 }
 
-// For every row the largest of the squared distances to the rows of the sources; 0 if there are none.
+// For every row the largest of the squared distances to the rows of the sources; 0 if there are
+// none.
 //
 // With the first source y as origin, that to another one z is |x - y|^2 + |z - y|^2 - 2 (x - y) (z - y), and
 // these scalar products are a product of matrices. The result r^2 is at least |x - y|^2, and
@@ -154,8 +156,8 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   if (sources.size() == 1)
     return squared_distances(eigenfunctions, factors, origin);
 
-  // In groups of so many sources that all sums of a group stay in registers. Repeating the last source fills
-  // the last group.
+  // In groups of so many sources that all sums of a group stay in registers. Repeating the last
+  // source fills the last group.
   constexpr std::size_t group_size = 4;
   using Group = std::array<double, group_size>;
   const std::size_t number_of_groups = (sources.size() - 2) / group_size + 1;
@@ -173,7 +175,8 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     }
   }
 
-  // All columns of a block stay in the cache; by the odd number of cache lines they share no place in it.
+  // All columns of a block stay in the cache; by the odd number of cache lines they share no place
+  // in it.
   constexpr Eigen::Index rows_per_block = 120;
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
   static_assert(rows_per_block == avx2::Sources::rows, "the kernels take the same blocks");
@@ -186,7 +189,8 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     auto block = result.segment(begin, size).array();
     block.setZero();
     for (Eigen::Index i = 0; i < factors.size(); ++i) {
-      // the part that follows in the column: the parts are too short to be fetched in advance otherwise
+      // the part that follows in the column: the parts are too short to be fetched in advance
+      // otherwise
       constexpr Eigen::Index numbers_per_line =
           64 / static_cast<Eigen::Index>(sizeof(typename Matrix::Scalar));
       const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());

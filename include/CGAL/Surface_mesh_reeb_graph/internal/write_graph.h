@@ -55,9 +55,10 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
   return result;
 }
 
-// Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and looked for before
-// it is needed. Where a function is noisy, half of all time would go into waiting for it otherwise. (Making a graph
-// aside and moving it would not help: they cannot be moved, only copied.)
+// Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and
+// looked for before it is needed. Where a function is noisy, half of all time would go into waiting
+// for it otherwise. (Making a graph aside and moving it would not help: they cannot be moved, only
+// copied.)
 template <class MutableGraph>
 auto reserve_nodes(std::size_t number, MutableGraph& graph)
     -> decltype(graph.m_vertices.reserve(number))
@@ -91,8 +92,8 @@ template <class... Any>
 void prefetch_edges(const Any&...)
 {}
 
-// Replaces the content of `graph`; `node(i)` and `arc(i)` give the bundles, whose numbers and types are set
-// here. If there is not enough memory, the graph is left empty.
+// Replaces the content of `graph`; `node(i)` and `arc(i)` give the bundles, whose numbers and types
+// are set here. If there is not enough memory, the graph is left empty.
 template <class MutableGraph, class Node, class Arc>
 void write_graph(MutableGraph& graph,
                  std::size_t number_of_nodes,

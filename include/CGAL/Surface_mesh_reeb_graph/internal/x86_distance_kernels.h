@@ -13,8 +13,8 @@
 
 #include <cstddef>
 
-// Sums over the columns of a matrix, for processors with AVX2 and FMA; see x86_kernels.h. They wait for the memory or for the
-// cache: longer registers gain nothing.
+// Sums over the columns of a matrix, for processors with AVX2 and FMA; see x86_kernels.h. They wait
+// for the memory or for the cache: longer registers gain nothing.
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -42,9 +42,10 @@ struct Sources
   const double* squared_norms;
 };
 
-// `add_squares()` adds to the sum of every row the squares of its differences to the point, multiplied with the factors,
-// and returns the first row left out. `take_largest_sums()` raises the entry of every row `x` of a block to the
-// largest of the four sums of squared norm and scalar product.
+// `add_squares()` adds to the sum of every row the squares of its differences to the point,
+// multiplied with the factors, and returns the first row left out. `take_largest_sums()` raises the
+// entry of every row `x` of a block to the largest of the four sums of squared norm and scalar
+// product.
 
 __attribute__((target("avx2,fma"))) inline __m256d load(const double* x)
 {

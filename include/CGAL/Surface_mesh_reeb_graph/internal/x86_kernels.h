@@ -11,12 +11,12 @@
 
 #include <cstddef>
 
-// Products of blocks with eight numbers of type double in every row, or column, for processors with AVX2 and FMA, and for
-// those with AVX-512, where such a row is one register. They take half and a quarter of the time of what compilers make for
-// any 64-bit processor of this kind.
+// Products of blocks with eight numbers of type double in every row, or column, for processors with
+// AVX2 and FMA, and for those with AVX-512, where such a row is one register. They take half and a
+// quarter of the time of what compilers make for any 64-bit processor of this kind.
 //
-// Compilers of the GNU family compile single functions for instructions that not all processors have, and tell whether
-// the one at hand has them.
+// Compilers of the GNU family compile single functions for instructions that not all processors
+// have, and tell whether the one at hand has them.
 #if defined(__GNUC__) && defined(__x86_64__)
 #define CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
 #include <immintrin.h>
@@ -63,8 +63,8 @@ add_transposed_product(const double* v, const double* w, std::ptrdiff_t rows, do
   }
 }
 
-// `y -= v c` for the rows from `row` on that make a multiple of four, c with eight rows; returns the first row left
-// out.
+// `y -= v c` for the rows from `row` on that make a multiple of four, c with eight rows; returns
+// the first row left out.
 __attribute__((target("avx2,fma"))) inline std::ptrdiff_t
 subtract_product(double* y, const double* v, std::ptrdiff_t rows, const double* c)
 {
@@ -159,9 +159,10 @@ __attribute__((target("avx2,fma"))) void subtract_transposed_columns(
     _mm256_storeu_pd(x + 4 * k, s[k]);
 }
 
-// Both substitutions for `columns` columns of a panel of a triangular factor, `stride` apart, the first of which begins
-// on the diagonal at l. The triangle has `inside` rows below those columns, and there are `below` rows below
-// the triangle. x are the rows of the right-hand sides from the first of the columns on, y those below the triangle.
+// Both substitutions for `columns` columns of a panel of a triangular factor, `stride` apart, the
+// first of which begins on the diagonal at l. The triangle has `inside` rows below those columns,
+// and there are `below` rows below the triangle. x are the rows of the right-hand sides from the
+// first of the columns on, y those below the triangle.
 template <int columns>
 __attribute__((target("avx2,fma"))) void substitute_forward(const double* l,
                                                             std::ptrdiff_t stride,
@@ -214,8 +215,8 @@ __attribute__((target("avx2,fma"))) void substitute_backward(const double* l,
   }
 }
 
-// `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
-// each other.
+// `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the
+// columns of a and b follow each other.
 __attribute__((target("avx2,fma"))) inline void subtract_tile(
     const double* a, const double* b, std::ptrdiff_t depth, double* c, std::ptrdiff_t stride)
 {
@@ -251,8 +252,8 @@ __attribute__((target("avx2,fma"))) inline void subtract_tile(
 
 namespace avx512 {
 
-// How far ahead of the work to ask for what comes from the memory. The processor's own prediction begins anew with
-// every block of the basis.
+// How far ahead of the work to ask for what comes from the memory. The processor's own prediction
+// begins anew with every block of the basis.
 constexpr std::ptrdiff_t rows_ahead = 32;
 
 // `c += v^T w`, c with eight rows
@@ -283,8 +284,8 @@ add_transposed_product(const double* v, const double* w, std::ptrdiff_t rows, do
   _mm512_storeu_pd(c + 56, s7);
 }
 
-// `y -= v c` for the rows from `row` on that make a multiple of eight, c with eight rows; returns the first row left
-// out.
+// `y -= v c` for the rows from `row` on that make a multiple of eight, c with eight rows; returns
+// the first row left out.
 __attribute__((target("avx512f"))) inline std::ptrdiff_t
 subtract_product(double* y, const double* v, std::ptrdiff_t rows, const double* c)
 {
@@ -344,7 +345,8 @@ __attribute__((target("avx512f"))) inline void add_transposed_products(
   }
 }
 
-// `y -= v c` and `z -= v d` for the rows that make a multiple of four; returns the first row left out.
+// `y -= v c` and `z -= v d` for the rows that make a multiple of four; returns the first row left
+// out.
 __attribute__((target("avx512f"))) inline std::ptrdiff_t subtract_products(
     double* y, double* z, const double* v, std::ptrdiff_t rows, const double* c, const double* d)
 {
@@ -468,8 +470,8 @@ __attribute__((target("avx512f"))) void substitute_backward(const double* l,
   }
 }
 
-// `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the columns of a and b follow
-// each other.
+// `c -= a b^T` for a tile of 16 x 8 entries of c, whose columns are `stride` apart, where the
+// columns of a and b follow each other.
 __attribute__((target("avx512f"))) inline void subtract_tile(
     const double* a, const double* b, std::ptrdiff_t depth, double* c, std::ptrdiff_t stride)
 {
