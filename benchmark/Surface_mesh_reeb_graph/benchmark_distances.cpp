@@ -13,6 +13,7 @@
 //   difference   the largest one to the distances from eigenfunctions in `double`, in parts of the largest distance
 
 #include "meshes.h"
+#include "seconds_for.h"
 
 #include <CGAL/Surface_mesh_reeb_graph/Block_lanczos_eigensolver.h>
 #include <CGAL/Surface_mesh_reeb_graph/Laplace_beltrami_eigenbasis.h>
@@ -27,7 +28,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -49,14 +49,6 @@ template <class Number>
 using Basis = SMRG::Laplace_beltrami_eigenbasis<Mesh, SMRG::Block_lanczos_eigensolver<>, Number>;
 using Vertices = std::vector<Mesh::Vertex_index>;
 using Values = std::vector<double>;
-
-template <class Task>
-double seconds_for(const Task& task)
-{
-  const auto start = std::chrono::steady_clock::now();
-  task();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 Vertices spread_vertices(const Mesh& mesh, const std::size_t number)
 {

@@ -21,6 +21,7 @@
 #include "table.h"
 #ifdef REEB_GRAPH_BENCHMARK_WITH_VTK
 #include "peers_vtk.h"
+#include "seconds_for.h"
 #endif
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_algorithm.h>
@@ -30,7 +31,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -103,14 +103,6 @@ const Input& input_for(const Row_key& key)
 }
 
 // ---- what is measured -----------------------------------------------------------------------------
-
-template <class Task>
-double seconds_for(const Task& task)
-{
-  const auto start = std::chrono::steady_clock::now();
-  task();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void take_minimum(double& minimum, const double seconds)
 {

@@ -15,6 +15,7 @@
 
 #include "functions.h"
 #include "meshes.h"
+#include "seconds_for.h"
 
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
@@ -28,7 +29,6 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -174,7 +174,7 @@ Graph nested_cycles(const std::size_t number_of_nodes)
   for (std::size_t i = 0; i < n; ++i)
     arcs.emplace_back(first + i, (std::min)(first + i + number_of_paths, top));
   hang_on(arcs, first, n, top + 1);
-  // the split i has two below it, or two paths; those of the paths are the highest ones
+  // above the split i lie two splits, or two paths
   for (std::size_t i = 1; i < number_of_paths; ++i)
     for (std::size_t k = 2 * i; k < 2 * i + 2; ++k)
       arcs.emplace_back(
@@ -185,28 +185,31 @@ Graph nested_cycles(const std::size_t number_of_nodes)
 
 // ---- measurements ---------------------------------------------------------------------------------
 
-template <class Task>
-double seconds_for(const Task& task)
-{
-  const auto start = std::chrono::steady_clock::now();
-  task();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Measures `simplify(copy of the graph)`, each time after `restore()`.
-template <class Simplify, class Restore>
+// Measures the simplification of a graph with these named parameters. `arcs` are those of the
+// vertices of the mesh, which are brought up to date on demand.
+template <bool has_map, class ScalarMap, class NamedParameters>
 void measure(benchmark::State& state,
+             const Mesh& mesh,
+             const ScalarMap scalar_map,
              const Graph& graph,
-             const Simplify& simplify,
-             const Restore& restore)
+             const std::vector<std::size_t>& arcs,
+             const NamedParameters& parameters)
 {
   double least = std::numeric_limits<double>::infinity(), least_floor = least;
   std::size_t number_of_arcs_left = 0;
   for (auto _ : state) {
-    restore();
+    std::vector<std::size_t> arcs_of_copy = arcs;
     Graph copy;
     least_floor = (std::min)(least_floor, seconds_for([&]() { copy = graph; }));
-    const double seconds = seconds_for([&]() { simplify(copy); });
+    const double seconds = seconds_for([&]() {
+      if constexpr (has_map)
+        SMRG::simplify_reeb_graph(mesh,
+                                  scalar_map,
+                                  copy,
+                                  parameters.vertex_arc_map(CGAL::make_property_map(arcs_of_copy)));
+      else
+        SMRG::simplify_reeb_graph(mesh, scalar_map, copy, parameters);
+    });
     least = (std::min)(least, seconds);
     state.SetIterationTime(seconds);
     number_of_arcs_left = num_edges(copy);
@@ -255,21 +258,14 @@ void measure_graph(benchmark::State& state,
 {
   const Graph graph = make(std::size_t(state.range(0)));
   const Vertices_of_graph all_vertices(graph);
-  const auto scalar_map = CGAL::make_property_map(all_vertices.values);
-  std::vector<std::size_t> arcs_of_copy;
-  const auto parameters = SMRG::parameters::threshold_is_absolute(true)
-                              .persistence_threshold(threshold_per_node * double(state.range(0)))
-                              .loop_persistence_threshold(loop_threshold);
-  const auto simplify = [&](Graph& copy) {
-    if constexpr (has_map)
-      SMRG::simplify_reeb_graph(all_vertices.mesh,
-                                scalar_map,
-                                copy,
-                                parameters.vertex_arc_map(CGAL::make_property_map(arcs_of_copy)));
-    else
-      SMRG::simplify_reeb_graph(all_vertices.mesh, scalar_map, copy, parameters);
-  };
-  measure(state, graph, simplify, [&]() { arcs_of_copy = all_vertices.arcs; });
+  measure<has_map>(state,
+                   all_vertices.mesh,
+                   CGAL::make_property_map(all_vertices.values),
+                   graph,
+                   all_vertices.arcs,
+                   SMRG::parameters::threshold_is_absolute(true)
+                       .persistence_threshold(threshold_per_node * double(state.range(0)))
+                       .loop_persistence_threshold(loop_threshold));
 }
 
 void add_graph(const std::string& name,
@@ -297,21 +293,16 @@ void measure_mesh(benchmark::State& state, const Mesh_family& family, const std:
   const Mesh mesh = make_mesh(family.make(m), family.genus);
   const std::vector<double> values = values_of(PURE_NOISE, mesh);
   const auto scalar_map = CGAL::make_property_map(values);
-  std::vector<std::size_t> arcs(mesh.number_of_vertices()), arcs_of_copy;
+  std::vector<std::size_t> arcs(mesh.number_of_vertices());
   Graph graph;
   SMRG::compute_reeb_graph(
       mesh, scalar_map, graph, SMRG::parameters::vertex_arc_map(CGAL::make_property_map(arcs)));
-
-  const auto parameters =
-      SMRG::parameters::persistence_threshold(0.5).loop_persistence_threshold(0.5);
-  const auto simplify = [&](Graph& copy) {
-    if constexpr (has_map)
-      SMRG::simplify_reeb_graph(
-          mesh, scalar_map, copy, parameters.vertex_arc_map(CGAL::make_property_map(arcs_of_copy)));
-    else
-      SMRG::simplify_reeb_graph(mesh, scalar_map, copy, parameters);
-  };
-  measure(state, graph, simplify, [&]() { arcs_of_copy = arcs; });
+  measure<has_map>(state,
+                   mesh,
+                   scalar_map,
+                   graph,
+                   arcs,
+                   SMRG::parameters::persistence_threshold(0.5).loop_persistence_threshold(0.5));
 }
 
 void add_meshes()

@@ -238,6 +238,21 @@ std::vector<Rank_pair> closed_node_by_node(const std::vector<double>& values,
   return left_of(folded).arcs_before();
 }
 
+// Calls `check(graph, values, threshold)` for random graphs and thresholds.
+template <class Check>
+void for_random_graphs(const unsigned number, const Check& check)
+{
+  for (unsigned seed = 0; seed < number; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Graph graph = random_graph(rng, seed % 2 == 1);
+      const std::vector<double> values = values_of(graph);
+      check(graph, values, random_unit(rng) * (values.back() + 1));
+    }
+  }
+}
+
 // Minima and maxima of a graph, nodes without arcs once.
 std::size_t number_of_leaves(const Graph& graph)
 {
@@ -480,60 +495,55 @@ BOOST_AUTO_TEST_CASE(loop_thresholds_are_those_of_the_component)
 BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
 {
   std::size_t number_of_exact_cases = 0, number_of_other_cases = 0;
-  for (unsigned seed = 0; seed < 5 * number_of_random_cases(); ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 rng(seed);
-      const Graph graph = random_graph(rng, seed % 2 == 1);
-      const std::vector<double> values = values_of(graph);
-      const std::vector<Extended_pair> before = oracle_pairs(graph);
-      const double threshold = random_unit(rng) * (values.back() + 1);
+  const auto check =
+      [&](const Graph& graph, const std::vector<double>& values, const double threshold) {
+        const std::vector<Extended_pair> before = oracle_pairs(graph);
 
-      SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
-      const bool have_other_pairs_changed =
-          close_loops(folded, values, threshold).have_other_pairs_changed();
-      const Left left = left_of(folded);
-      const std::vector<Extended_pair> after = left.pairs();
-      for (const Extended_pair& pair : after)
-        if (is_loop(pair))
-          BOOST_TEST(persistence_of(pair, values) >= threshold);
+        SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+        const bool have_other_pairs_changed =
+            close_loops(folded, values, threshold).have_other_pairs_changed();
+        const Left left = left_of(folded);
+        const std::vector<Extended_pair> after = left.pairs();
+        for (const Extended_pair& pair : after)
+          if (is_loop(pair))
+            BOOST_TEST(persistence_of(pair, values) >= threshold);
 
-      const auto is_small_loop = [&](const Extended_pair& pair) {
-        return is_loop(pair) && persistence_of(pair, values) < threshold;
+        const auto is_small_loop = [&](const Extended_pair& pair) {
+          return is_loop(pair) && persistence_of(pair, values) < threshold;
+        };
+        if (!have_other_pairs_changed) {
+          std::vector<Extended_pair> expected = before;
+          expected.erase(std::remove_if(expected.begin(), expected.end(), is_small_loop),
+                         expected.end());
+          BOOST_TEST(after == expected, boost::test_tools::per_element());
+          number_of_exact_cases += expected.size() < before.size() ? 1 : 0;
+          return;
+        }
+        ++number_of_other_cases;
+        const std::size_t number_of_closed_loops = number_of_loops(before) - number_of_loops(after);
+        BOOST_TEST(number_of_closed_loops > 0u);
+        const auto with_same_birth = [](const std::vector<Extended_pair>& pairs,
+                                        const Extended_pair& pair) {
+          return std::find_if(pairs.begin(), pairs.end(), [&pair](const Extended_pair& other) {
+            return other.kind == pair.kind && other.dimension == pair.dimension &&
+                   other.birth == pair.birth;
+          });
+        };
+        for (const Extended_pair& pair : before) {
+          if (is_loop(pair))
+            continue;
+          const auto found = with_same_birth(after, pair);
+          const double persistence = found == after.end() ? 0 : persistence_of(*found, values);
+          BOOST_TEST(persistence <= persistence_of(pair, values));
+          BOOST_TEST(persistence >= persistence_of(pair, values) -
+                                        static_cast<double>(number_of_closed_loops) * threshold);
+          if (pair.kind == EXTENDED) // a component
+            BOOST_TEST(persistence == persistence_of(pair, values));
+        }
+        for (const Extended_pair& pair : after)
+          BOOST_TEST((is_loop(pair) || with_same_birth(before, pair) != before.end()));
       };
-      if (!have_other_pairs_changed) {
-        std::vector<Extended_pair> expected = before;
-        expected.erase(std::remove_if(expected.begin(), expected.end(), is_small_loop),
-                       expected.end());
-        BOOST_TEST(after == expected, boost::test_tools::per_element());
-        number_of_exact_cases += expected.size() < before.size() ? 1 : 0;
-        continue;
-      }
-      ++number_of_other_cases;
-      const std::size_t number_of_closed_loops = number_of_loops(before) - number_of_loops(after);
-      BOOST_TEST(number_of_closed_loops > 0u);
-      const auto with_same_birth = [](const std::vector<Extended_pair>& pairs,
-                                      const Extended_pair& pair) {
-        return std::find_if(pairs.begin(), pairs.end(), [&pair](const Extended_pair& other) {
-          return other.kind == pair.kind && other.dimension == pair.dimension &&
-                 other.birth == pair.birth;
-        });
-      };
-      for (const Extended_pair& pair : before) {
-        if (is_loop(pair))
-          continue;
-        const auto found = with_same_birth(after, pair);
-        const double persistence = found == after.end() ? 0 : persistence_of(*found, values);
-        BOOST_TEST(persistence <= persistence_of(pair, values));
-        BOOST_TEST(persistence >= persistence_of(pair, values) -
-                                      static_cast<double>(number_of_closed_loops) * threshold);
-        if (pair.kind == EXTENDED) // a component
-          BOOST_TEST(persistence == persistence_of(pair, values));
-      }
-      for (const Extended_pair& pair : after)
-        BOOST_TEST((is_loop(pair) || with_same_birth(before, pair) != before.end()));
-    }
-  }
+  for_random_graphs(5 * number_of_random_cases(), check);
   if (number_of_random_cases() >= 100) {
     BOOST_TEST(number_of_exact_cases > 0u);
     BOOST_TEST(number_of_other_cases > 0u);
@@ -641,19 +651,14 @@ BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
 BOOST_AUTO_TEST_CASE(loops_are_closed_as_node_by_node)
 {
   std::size_t number_of_cases_with_loops = 0;
-  for (unsigned seed = 0; seed < 5 * number_of_random_cases(); ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 rng(seed);
-      const Graph graph = random_graph(rng, seed % 2 == 1);
-      const std::vector<double> values = values_of(graph);
-      const std::vector<Rank_pair> arcs = arcs_of(graph);
-      const double threshold = random_unit(rng) * (values.back() + 1);
-      const std::vector<Rank_pair> result = closed(values, arcs, threshold);
-      BOOST_TEST((result == closed_node_by_node(values, arcs, threshold)));
-      number_of_cases_with_loops += result.size() < arcs.size() ? 1 : 0;
-    }
-  }
+  const auto check =
+      [&](const Graph& graph, const std::vector<double>& values, const double threshold) {
+        const std::vector<Rank_pair> arcs = arcs_of(graph);
+        const std::vector<Rank_pair> result = closed(values, arcs, threshold);
+        BOOST_TEST((result == closed_node_by_node(values, arcs, threshold)));
+        number_of_cases_with_loops += result.size() < arcs.size() ? 1 : 0;
+      };
+  for_random_graphs(5 * number_of_random_cases(), check);
   BOOST_TEST(number_of_cases_with_loops >= number_of_random_cases());
 }
 
@@ -662,43 +667,38 @@ BOOST_AUTO_TEST_CASE(loops_are_closed_as_node_by_node)
 // each other stay so.
 BOOST_AUTO_TEST_CASE(the_fold_of_loops_is_a_quotient)
 {
-  for (unsigned seed = 0; seed < 2 * number_of_random_cases(); ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 rng(seed);
-      const Graph graph = random_graph(rng, seed % 2 == 1);
-      const std::vector<double> values = values_of(graph);
-      SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
-      const SMRG::internal::Closed_loops closed_loops =
-          close_loops(folded, values, random_unit(rng) * (values.back() + 1));
-      const std::vector<Rank_pair> arcs = arcs_of(graph), points = points_of(arcs);
-      const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
+  const auto check =
+      [&](const Graph& graph, const std::vector<double>& values, const double threshold) {
+        SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+        const SMRG::internal::Closed_loops closed_loops = close_loops(folded, values, threshold);
+        const std::vector<Rank_pair> arcs = arcs_of(graph), points = points_of(arcs);
+        const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
 
-      // by node: the images of the ends of the arcs there
-      std::vector<std::set<std::uint32_t>> images_at_node(values.size());
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const Rank_pair& arc = arcs[points[i].first];
-        const std::size_t node = points[i].second;
-        if (node == arc.first)
-          images_at_node[node].insert(images[i]);
-        else if (images[i] != images[i - 1]) {
-          BOOST_TEST(folded.arcs()[images[i - 1]].upper == node);
-          BOOST_TEST(folded.arcs()[images[i]].lower == node);
+        // by node: the images of the ends of the arcs there
+        std::vector<std::set<std::uint32_t>> images_at_node(values.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const Rank_pair& arc = arcs[points[i].first];
+          const std::size_t node = points[i].second;
+          if (node == arc.first)
+            images_at_node[node].insert(images[i]);
+          else if (images[i] != images[i - 1]) {
+            BOOST_TEST(folded.arcs()[images[i - 1]].upper == node);
+            BOOST_TEST(folded.arcs()[images[i]].lower == node);
+          }
+          if (node + 1 == arc.second)
+            images_at_node[node + 1].insert(images[i]);
         }
-        if (node + 1 == arc.second)
-          images_at_node[node + 1].insert(images[i]);
-      }
-      for (std::uint32_t node = 0; node < values.size(); ++node) {
-        const auto has_end_here = [&](const std::uint32_t image) {
-          return folded.arcs()[image].lower == node || folded.arcs()[image].upper == node;
-        };
-        const std::set<std::uint32_t>& here = images_at_node[node];
-        BOOST_TEST((here.size() <= 1 || std::all_of(here.begin(), here.end(), has_end_here)));
-      }
-      const std::set<std::uint32_t> all_images(images.begin(), images.end());
-      BOOST_TEST(all_images.size() == left_of(folded).arcs.size());
-    }
-  }
+        for (std::uint32_t node = 0; node < values.size(); ++node) {
+          const auto has_end_here = [&](const std::uint32_t image) {
+            return folded.arcs()[image].lower == node || folded.arcs()[image].upper == node;
+          };
+          const std::set<std::uint32_t>& here = images_at_node[node];
+          BOOST_TEST((here.size() <= 1 || std::all_of(here.begin(), here.end(), has_end_here)));
+        }
+        const std::set<std::uint32_t> all_images(images.begin(), images.end());
+        BOOST_TEST(all_images.size() == left_of(folded).arcs.size());
+      };
+  for_random_graphs(2 * number_of_random_cases(), check);
 }
 
 // On meshes: the maps to the arcs follow, and the branches and loops that are left have the heights

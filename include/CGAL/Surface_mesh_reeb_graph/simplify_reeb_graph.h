@@ -261,8 +261,9 @@ the highest maximum of a component always stay.
 below that threshold are closed, those with the highest splits first: the cycle of the pair of split
 and merge (of those that the split completes one whose highest node, the merge, lies lowest) is
 folded flat, from its highest node downwards, so that points of the same height become one; what
-hung on the cycle hangs on the fold, at the same height. (Loops of infinite persistence stay.) Every closed loop makes the number of loops
-smaller by exactly one, and none of persistence below the threshold is left.
+hung on the cycle hangs on the fold, at the same height. Every closed loop makes the number of loops
+smaller by exactly one, and none of persistence below the threshold is left. (Loops of infinite
+persistence stay.)
 
 - If the function is monotone on both sides of the cycle, from the merge to the split, then closing
   the loop takes away its pair and changes no other pair, neither of extrema nor of loops.
@@ -332,16 +333,17 @@ new.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs. To close *h* loops, on whose cycles are *p*
-peaks beside the merges, takes O((m + h + p) log<sup>2</sup> m) time, however long the cycles are
-(\cgalCite{georgiadis_2011}). If there is anything to bring up to date for *n* vertices or faces,
+Takes O(m log m) time for a graph with *m* nodes and arcs. To close *h* loops, on whose cycles are
+*p* peaks beside the merges, takes O((m + h + p) log<sup>2</sup> m) time, however long the cycles
+are (\cgalCite{georgiadis_2011}). If there is anything to bring up to date for *n* vertices or faces,
 O(n log m) more, or O(n log n) if `Reeb_arc::vertices` has been filled.
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
         the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph and maps
-        do not belong together; `graph` and the maps are then left as they were. (If there is not enough memory,
-        `std::bad_alloc` is thrown, and the maps are left as they were, the graph too or empty.)
+        do not belong together; `graph` and the maps are then left as they were. (If there is not
+        enough memory, `std::bad_alloc` is thrown, and the maps are left as they were, the graph
+        too or empty.)
 
 \sa `compute_reeb_graph()`
 \sa `persistence_pairs()`
