@@ -13,23 +13,18 @@
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Arc_list.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Extremum_pairs.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Folded_graph.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Closed_loops.h>
-#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_pairs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Simplification.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Vertices_on_arcs.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/mesh_helpers.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/read_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/write_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_reeb_graph/vertex_order.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -68,14 +63,6 @@ std::size_t checked_number_of_leaves(const NamedParameters& np)
   return static_cast<std::size_t>(number);
 }
 
-// What the user asks for.
-struct Simplification_parameters
-{
-  double threshold, loop_threshold;
-  std::size_t number_of_leaves;
-  bool is_absolute;
-};
-
 // Throws if a parameter is wrong.
 template <class NamedParameters>
 Simplification_parameters simplification_parameters(const NamedParameters& np)
@@ -86,160 +73,6 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
       checked_number_of_leaves(np),
       choose_own_parameter(np, tags::threshold_is_absolute, false)};
 }
-
-// The half of a difference, which does not overflow.
-inline double half_of_difference(double lower, double upper)
-{
-  return lower == upper ? 0. : upper / 2 - lower / 2;
-}
-
-// Throws if a map from vertices or faces to arcs has a number in it that no arc has.
-template <class Range, class ArcMap>
-void check_arc_numbers(const Range& keys,
-                       std::size_t number_of_arcs,
-                       const ArcMap& arc_map,
-                       const char* name)
-{
-  using Number = typename boost::property_traits<ArcMap>::value_type;
-  for (const auto key : CGAL::make_range(keys)) {
-    const Number arc = get(arc_map, key);
-    if (arc != static_cast<Number>(null_arc) && static_cast<std::size_t>(arc) >= number_of_arcs)
-      throw Reeb_graph_error(std::string("the ") + name +
-                             " arc map does not belong to the Reeb graph");
-  }
-}
-
-// Vertices on their way from arc to arc.
-template <class Vertex>
-struct Vertices_on_arcs
-{
-  void add(Vertex v, std::size_t arc)
-  {
-    vertices.push_back(v);
-    points.emplace_back(static_cast<std::uint32_t>(arc));
-  }
-
-  std::vector<Vertex> vertices;
-  std::vector<Point_on_arc> points;
-};
-
-// The vertices `vertex(key)` of all vertices or faces that have an arc in a map.
-template <class Vertex, class Range, class ArcMap, class VertexOfKey>
-Vertices_on_arcs<Vertex>
-read_arc_numbers(const Range& keys, ArcMap arc_map, const VertexOfKey& vertex)
-{
-  using Number = typename boost::property_traits<ArcMap>::value_type;
-  Vertices_on_arcs<Vertex> result;
-  for (const auto key : CGAL::make_range(keys)) {
-    const Number arc = get(arc_map, key);
-    if (arc != static_cast<Number>(null_arc))
-      result.add(vertex(key), static_cast<std::size_t>(arc));
-  }
-  return result;
-}
-
-// Writes the arcs of all vertices or faces that have had one, in the same order.
-template <class Range, class ArcMap>
-void write_arc_numbers(const Range& keys, const std::vector<Point_on_arc>& points, ArcMap arc_map)
-{
-  using Number = typename boost::property_traits<ArcMap>::value_type;
-  auto point = points.begin();
-  for (const auto key : CGAL::make_range(keys))
-    if (get(arc_map, key) != static_cast<Number>(null_arc))
-      put(arc_map, key, static_cast<Number>((point++)->arc));
-}
-
-// Simplifies a folded graph as simplify_reeb_graph() says.
-class Simplification
-{
-public:
-  Simplification(const std::vector<double>& values,
-                 const std::vector<Arc_ends>& ends,
-                 const Simplification_parameters& parameters)
-    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
-  {}
-
-  const Folded_graph& folded_graph() const { return m_folded; }
-
-  void run()
-  {
-    cancel_branches();
-    if (m_parameters.loop_threshold > 0) {
-      close_loops();
-      if (m_closed_loops.have_other_pairs_changed())
-        cancel_branches();
-    }
-  }
-
-  // Moves points to the arcs that they belong to now. `is_below(i, node)` tells whether `points[i]`
-  // lies below a node.
-  template <class IsBelow>
-  void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
-  {
-    internal::follow(m_folded, m_closed_loops, points, is_below);
-  }
-
-private:
-  std::vector<double> thresholds_of_nodes(double threshold) const
-  {
-    return m_parameters.is_absolute ? std::vector<double>(m_values.size(), threshold)
-                                    : fractions_of_component_ranges(m_values, m_ends, threshold);
-  }
-
-  void close_loops()
-  {
-    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
-    m_closed_loops = Closed_loops(m_folded, [&](const Loop_pair& loop) {
-      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
-             thresholds[loop.merge];
-    });
-  }
-
-  void cancel_branches()
-  {
-    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
-    m_folded.run(
-        [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
-    const std::size_t number_of_leaves = m_parameters.number_of_leaves;
-    if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
-      return;
-    std::size_t number = 0;
-    for (std::uint32_t node = 0; node < m_values.size(); ++node)
-      if (m_folded.is_node(node) &&
-          (m_folded.number_of_arcs(BELOW, node) == 0 || m_folded.number_of_arcs(ABOVE, node) == 0))
-        ++number;
-    if (number <= number_of_leaves)
-      return;
-
-    std::vector<Extremum_pair> pairs = m_folded.pairs();
-    if (!m_parameters.is_absolute)
-      sort_by_relative_persistence(pairs);
-    pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
-    m_folded.cancel(pairs);
-  }
-
-  // Inside a component the order stays as it is.
-  void sort_by_relative_persistence(std::vector<Extremum_pair>& pairs) const
-  {
-    const std::vector<double> half_ranges = fractions_of_component_ranges(m_values, m_ends, 0.5);
-    const auto relative_persistence = [&](const Extremum_pair& pair) {
-      const double half = pair.side == BELOW
-                              ? half_of_difference(m_values[pair.extremum], m_values[pair.saddle])
-                              : half_of_difference(m_values[pair.saddle], m_values[pair.extremum]);
-      return half == 0 ? 0. : half / half_ranges[pair.extremum];
-    };
-    std::stable_sort(
-        pairs.begin(), pairs.end(), [&](const Extremum_pair& p, const Extremum_pair& q) {
-          return relative_persistence(p) < relative_persistence(q);
-        });
-  }
-
-  const std::vector<double>& m_values;
-  const std::vector<Arc_ends>& m_ends;
-  Simplification_parameters m_parameters;
-  Branch_cancellation m_folded;
-  Closed_loops m_closed_loops;
-};
 
 } // namespace internal
 

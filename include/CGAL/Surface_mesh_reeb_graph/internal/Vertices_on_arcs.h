@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Surface_mesh_reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTICES_ON_ARCS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTICES_ON_ARCS_H
+
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_reeb_graph/Reeb_graph_error.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Point_on_arc.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_reeb_graph {
+namespace internal {
+
+// Throws if a map from vertices or faces to arcs has a number in it that no arc has.
+template <class Range, class ArcMap>
+void check_arc_numbers(const Range& keys,
+                       std::size_t number_of_arcs,
+                       const ArcMap& arc_map,
+                       const char* name)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  for (const auto key : CGAL::make_range(keys)) {
+    const Number arc = get(arc_map, key);
+    if (arc != static_cast<Number>(null_arc) && static_cast<std::size_t>(arc) >= number_of_arcs)
+      throw Reeb_graph_error(std::string("the ") + name +
+                             " arc map does not belong to the Reeb graph");
+  }
+}
+
+// Vertices on their way from arc to arc.
+template <class Vertex>
+struct Vertices_on_arcs
+{
+  void add(Vertex v, std::size_t arc)
+  {
+    vertices.push_back(v);
+    points.emplace_back(static_cast<std::uint32_t>(arc));
+  }
+
+  std::vector<Vertex> vertices;
+  std::vector<Point_on_arc> points;
+};
+
+// The vertices `vertex(key)` of all vertices or faces that have an arc in a map.
+template <class Vertex, class Range, class ArcMap, class VertexOfKey>
+Vertices_on_arcs<Vertex>
+read_arc_numbers(const Range& keys, ArcMap arc_map, const VertexOfKey& vertex)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  Vertices_on_arcs<Vertex> result;
+  for (const auto key : CGAL::make_range(keys)) {
+    const Number arc = get(arc_map, key);
+    if (arc != static_cast<Number>(null_arc))
+      result.add(vertex(key), static_cast<std::size_t>(arc));
+  }
+  return result;
+}
+
+// Writes the arcs of all vertices or faces that have had one, in the same order.
+template <class Range, class ArcMap>
+void write_arc_numbers(const Range& keys, const std::vector<Point_on_arc>& points, ArcMap arc_map)
+{
+  using Number = typename boost::property_traits<ArcMap>::value_type;
+  auto point = points.begin();
+  for (const auto key : CGAL::make_range(keys))
+    if (get(arc_map, key) != static_cast<Number>(null_arc))
+      put(arc_map, key, static_cast<Number>((point++)->arc));
+}
+
+} // namespace internal
+} // namespace Surface_mesh_reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_VERTICES_ON_ARCS_H
