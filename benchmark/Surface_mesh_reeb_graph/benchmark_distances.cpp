@@ -5,12 +5,14 @@
 // `float`, beside the floor: one pass over the matrix of the eigenfunctions, which adds up its
 // numbers.
 //
-// The floor and what is compared with it take turns, and the least time of each counts. Benchmarks are named
-// what/number type, for --benchmark_filter. The counters:
+// The floor and what is compared with it take turns, and the least time of each counts. Benchmarks
+// are named what/number type, for --benchmark_filter. The counters:
 //   x_floor      time / time of the floor with the same number type
 //   GB_per_s     bytes of the matrix / time
-//   GFlop_per_s  additions and multiplications that the definition takes with a product of matrices / time
-//   difference   the largest one to the distances from eigenfunctions in `double`, in parts of the largest distance
+//   GFlop_per_s  additions and multiplications that the definition takes with a product of
+//                matrices / time
+//   difference   the largest one to the distances from eigenfunctions in `double`, in parts of the
+//                largest distance
 
 #include "meshes.h"
 #include "seconds_for.h"

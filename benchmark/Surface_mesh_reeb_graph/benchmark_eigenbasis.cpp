@@ -5,9 +5,9 @@
 // beside other eigensolvers and direct solvers that find the same eigenpairs with the same
 // tolerance.
 //
-// Benchmarks are named irregular/vertices/solver, for --benchmark_filter. With --benchmark_repetitions
-// and --benchmark_enable_random_interleaving the solvers take turns; the fastest run of each counts. The counters, in
-// seconds of processor time:
+// Benchmarks are named irregular/vertices/solver, for --benchmark_filter. With
+// --benchmark_repetitions and --benchmark_enable_random_interleaving the solvers take turns; the
+// fastest run of each counts. The counters, in seconds of processor time:
 //   assembly        of the matrices, from the mesh
 //   factorization   of the shifted stiffness matrix
 //   solving         for all right-hand sides, whose number is rhs
@@ -83,7 +83,7 @@ constexpr std::size_t number_of_eigenpairs = 50;
 
 Results results;
 
-// ---- input ----------------------------------------------------------------------------------------
+// ---- input --------------------------------------------------------------------------------------
 
 Mesh read(const std::string& file)
 {
@@ -109,7 +109,7 @@ const Mesh& mesh_for(const Mesh_key& key)
   return mesh;
 }
 
-// ---- what is measured -----------------------------------------------------------------------------
+// ---- what is measured ---------------------------------------------------------------------------
 
 using Default_traits = Measured_solver_traits<SMRG::internal::Default_solver_traits>;
 using Ldlt_traits = Measured_solver_traits<
@@ -183,7 +183,7 @@ void measure(benchmark::State& state, const Mesh_key& key)
   state.counters["bytes"] = least.bytes / double(row.vertices);
 }
 
-// ---- the program ----------------------------------------------------------------------------------
+// ---- the program --------------------------------------------------------------------------------
 
 template <Solver solver, class Eigensolver>
 void add(const Mesh_key& key)

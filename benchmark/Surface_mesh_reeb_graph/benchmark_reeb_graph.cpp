@@ -72,7 +72,7 @@ constexpr std::array<std::size_t, 8> sizes = {
 
 Results results;
 
-// ---- input ----------------------------------------------------------------------------------------
+// ---- input --------------------------------------------------------------------------------------
 
 struct Input
 {
@@ -102,7 +102,7 @@ const Input& input_for(const Row_key& key)
   return input;
 }
 
-// ---- what is measured -----------------------------------------------------------------------------
+// ---- what is measured ---------------------------------------------------------------------------
 
 void take_minimum(double& minimum, const double seconds)
 {
@@ -234,7 +234,7 @@ void measure_vtk(benchmark::State& state, const Row_key& key)
 }
 #endif
 
-// ---- the program ----------------------------------------------------------------------------------
+// ---- the program --------------------------------------------------------------------------------
 
 void register_benchmarks(const Options& options)
 {

@@ -4,14 +4,17 @@
 // Time of the simplification of Reeb graphs, beside the floor: a copy of the graph, which reads and
 // writes all of it.
 //
-// Graphs that a simplification which passes arcs or nodes again and again takes quadratic time for, from 10 thousand to
-// a million nodes, and Reeb graphs of noise on meshes of up to 4 million triangles. Benchmarks are named graph/what/nodes and
-// noise_on_mesh/triangles/what, for --benchmark_filter. The floor and what is compared with it take turns, and the least time of each counts. The counters:
+// Graphs that a simplification which passes arcs or nodes again and again takes quadratic time for,
+// from 10 thousand to a million nodes, and Reeb graphs of noise on meshes of up to 4 million
+// triangles. Benchmarks are named graph/what/nodes and noise_on_mesh/triangles/what, for
+// --benchmark_filter. The floor and what is compared with it take turns, and the least time of each
+// counts. The counters:
 //   arcs          of the graph
 //   arcs_left     of the simplified graph
 //   x_floor       time / time of the floor
 //   ns_per_m_log  time / (m log2 m) for m nodes and arcs
-// The lines that end with BigO and RMS are the fit of c m log2 m, with m nodes, to all sizes of a graph.
+// The lines that end with BigO and RMS are the fit of c m log2 m, with m nodes, to all sizes of a
+// graph.
 
 #include "functions.h"
 #include "meshes.h"
@@ -46,7 +49,7 @@ namespace {
 using Graph = SMRG::Reeb_graph<Mesh>;
 using Arcs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// ---- graphs ---------------------------------------------------------------------------------------
+// ---- graphs -------------------------------------------------------------------------------------
 
 // The values of the nodes are their numbers, those from `first_high_node` on are far above all
 // others.
@@ -183,7 +186,7 @@ Graph nested_cycles(const std::size_t number_of_nodes)
   return make_graph(top + 1 + n, arcs, top + 1);
 }
 
-// ---- measurements ---------------------------------------------------------------------------------
+// ---- measurements -------------------------------------------------------------------------------
 
 // Measures the simplification of a graph with these named parameters. `arcs` are those of the
 // vertices of the mesh, which are brought up to date on demand.

@@ -298,7 +298,7 @@ inline Mesh irregular_surface(const std::size_t m)
   return mesh;
 }
 
-// ---- the families of meshes -----------------------------------------------------------------------
+// ---- the families of meshes ---------------------------------------------------------------------
 
 struct Mesh_family
 {

@@ -48,44 +48,48 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The smallest eigenvalues and the eigenfunctions of the Laplace-Beltrami operator of a triangle mesh, and
-the diffusion and commute-time distances that they give.
+The smallest eigenvalues and the eigenfunctions of the Laplace-Beltrami operator of a triangle mesh,
+and the diffusion and commute-time distances that they give.
 
 The eigenpairs are computed once, by the constructor; distances are cheap afterwards.
 
-**Operator.** *L* is the cotangent stiffness matrix (symmetric, positive semi-definite, `(cot a + cot b) / 2`
-for an edge with opposite angles *a* and *b*) and *M* the diagonal matrix of mixed Voronoi areas
-(\cgalCite{meyer_2003}), which sum to the surface area. The eigenpairs solve *L psi = lambda M psi*, the
-eigenfunctions are *M*-orthonormal: they have the unit of an inverse length, eigenvalues that of
-an inverse area. Nothing is imposed on borders (Neumann condition). Both matrices are made from edge lengths
-that are increased by the least amount, usually none, that gives every triangle a margin in its triangle
-inequalities \cgalCite{sharp_2020}, so that degenerate faces do no harm.
+**Operator.** *L* is the cotangent stiffness matrix (symmetric, positive semi-definite,
+`(cot a + cot b) / 2` for an edge with opposite angles *a* and *b*) and *M* the diagonal matrix of
+mixed Voronoi areas (\cgalCite{meyer_2003}), which sum to the surface area. The eigenpairs solve *L
+psi = lambda M psi*, the eigenfunctions are *M*-orthonormal: they have the unit of an inverse
+length, eigenvalues that of an inverse area. Nothing is imposed on borders (Neumann condition). Both
+matrices are made from edge lengths that are increased by the least amount, usually none, that gives
+every triangle a margin in its triangle inequalities \cgalCite{sharp_2020}, so that degenerate faces
+do no harm.
 
-**Components.** Every connected component of the mesh has a basis of its own. The constant eigenfunction of
-eigenvalue zero is left out: it drops out of every difference. A component with too few vertices has
-all the eigenpairs that there are; one without extent, as an isolated vertex, has none.
+**Components.** Every connected component of the mesh has a basis of its own. The constant
+eigenfunction of eigenvalue zero is left out: it drops out of every difference. A component with too
+few vertices has all the eigenpairs that there are; one without extent, as an isolated vertex, has
+none.
 
 **Number of eigenpairs.** How many pairs are used is part of the definition of the distances, not an
 accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it is
-extended up to the next gap, unless `extend_to_gap` says otherwise. If a component has so few vertices that all its pairs are used, those with
-eigenvalues more than some million times the smallest one, which degenerate faces produce, are left out.
+extended up to the next gap, unless `extend_to_gap` says otherwise. If a component has so few
+vertices that all its pairs are used, those with eigenvalues more than some million times the
+smallest one, which degenerate faces produce, are left out.
 
-**Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are divided by the
-smallest one (which is not zero), as the paper normalizes the spectrum. Hence distances and times have
-no unit, and nothing depends on the size of the shape.
+**Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are
+divided by the smallest one (which is not zero), as the paper normalizes the spectrum. Hence
+distances and times have no unit, and nothing depends on the size of the shape.
 
-**Certificates.** Whatever the solver claims, the residual of every eigenpair is computed and compared with the
-tolerance, and the only null vector of every component is the constant one. `residual()`,
-`orthonormality_error()` and `null_space_residual()` tell what was found.
+**Certificates.** Whatever the solver claims, the residual of every eigenpair is computed and
+compared with the tolerance, and the only null vector of every component is the constant one.
+`residual()`, `orthonormality_error()` and `null_space_residual()` tell what was found.
 
-**Memory.** With `float` as the number type of the eigenfunctions the basis takes half of the memory, and distances over
-the whole mesh take less time. All is computed in `double` nevertheless, and only the eigenfunctions are rounded
-in the end, each value by a relative error of `6e-8` at most; distances get an error of about `1e-7` times the
-largest one.
+**Memory.** With `float` as the number type of the eigenfunctions the basis takes half of the
+memory, and distances over the whole mesh take less time. All is computed in `double` nevertheless,
+and only the eigenfunctions are rounded in the end, each value by a relative error of `6e-8` at
+most; distances get an error of about `1e-7` times the largest one.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam Eigensolver a model of `LaplaceBeltramiEigensolver`; by default `Block_lanczos_eigensolver`
-\tparam EigenfunctionNumber the number type that the eigenfunctions are kept in: `double` (the default) or `float`
+\tparam EigenfunctionNumber the number type that the eigenfunctions are kept in: `double` (the
+        default) or `float`
 
 \sa `feature_points()`
 \sa `commute_time_function()`
@@ -119,7 +123,8 @@ public:
   /*!
   computes the eigenpairs.
 
-  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+          parameters"
 
   \param tmesh the mesh; it must outlive the basis and not be changed meanwhile
   \param np an optional sequence of named parameters among the ones listed below
@@ -171,13 +176,14 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  Takes one sparse factorization for every component and some hundred solves with it, and holds below 2.5 kB
-  for every vertex of a component at 50 pairs, of which the result has 0.4.
+  Takes one sparse factorization for every component and some hundred solves with it, and holds
+  below 2.5 kB for every vertex of a component at 50 pairs, of which the result has 0.4.
 
   \pre `CGAL::is_triangle_mesh(tmesh)`
 
-  \throws Reeb_graph_error if a face is not a triangle, a coordinate is not a finite number, the whole surface has no area, the factorization
-          fails, the eigensolver does not converge, or a residual is larger than the tolerance
+  \throws Reeb_graph_error if a face is not a triangle, a coordinate is not a finite number, the
+          whole surface has no area, the factorization fails, the eigensolver does not converge, or
+          a residual is larger than the tolerance
   \throws Reeb_graph_interrupted if the callback returns `false`
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -292,8 +298,9 @@ public:
     return basis.eigenvalues[static_cast<Eigen::Index>(k) - 1] / basis.unit / basis.unit;
   }
 
-  /// returns the value at `v` of the eigenfunction of the `k`-th smallest non-zero eigenvalue of its
-  /// component, from `k == 1` on. Signs are chosen such that the value of largest magnitude is positive.
+  /// returns the value at `v` of the eigenfunction of the `k`-th smallest non-zero eigenvalue of
+  /// its component, from `k == 1` on. Signs are chosen such that the value of largest magnitude is
+  /// positive.
   /// \pre `1 <= k && k <= number_of_eigenpairs(component(v))`
   FT eigenfunction(std::size_t k, vertex_descriptor v) const
   {
@@ -310,16 +317,16 @@ public:
     return basis.mass[m_components.position_of(v)] * basis.unit * basis.unit;
   }
 
-  /// returns the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` of all eigenpairs, before
-  /// the eigenfunctions are rounded to their number type.
+  /// returns the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` of all
+  /// eigenpairs, before the eigenfunctions are rounded to their number type.
   FT residual() const { return m_residual; }
 
-  /// returns the largest entry of `|Psi^T M Psi - I|` of all components, where the columns of `Psi` are the
-  /// eigenfunctions and the constant one, before they are rounded to their number type.
+  /// returns the largest entry of `|Psi^T M Psi - I|` of all components, where the columns of `Psi`
+  /// are the eigenfunctions and the constant one, before they are rounded to their number type.
   FT orthonormality_error() const { return m_orthonormality_error; }
 
-  /// returns the largest `||L 1|| / (||L|| ||1||)` of all components, with the Frobenius norm of *L*: the constants are
-  /// null vectors. The eigenvalues certify that there are no others.
+  /// returns the largest `||L 1|| / (||L|| ||1||)` of all components, with the Frobenius norm of
+  /// *L*: the constants are null vectors. The eigenvalues certify that there are no others.
   FT null_space_residual() const { return m_null_space_residual; }
 
   /// @}
@@ -329,9 +336,10 @@ public:
 
   /*!
   returns the diffusion distance of `u` and `v` at time `t`: the square root of
-  `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the component
-  (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs). It decreases as
-  `exp(-t)`, and is precise until it falls below the smallest number of type `FT`, near `t == 700`.
+  `A sum_i exp(-2 t lambda_i / lambda_1) (psi_i(u) - psi_i(v))^2`, where `A` is the area of the
+  component (\cgalCite{el_khoury_2012}, Eq. 8). It has no unit, and takes O(number of eigenpairs).
+  It decreases as `exp(-t)`, and is precise until it falls below the smallest number of type `FT`,
+  near `t == 700`.
 
   \throws Reeb_graph_error if `t` is negative or not a finite number
 

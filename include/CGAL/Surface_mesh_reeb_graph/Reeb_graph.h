@@ -109,20 +109,20 @@ struct Reeb_arc
   /// the number of the arc, from 0, in the order of the lower nodes
   std::size_t id = 0;
   /// the vertices of the mesh that belong to the arc, in increasing order; filled on request only,
-  /// with the named parameter `collect_arc_vertices`. Every vertex that has an edge belongs to exactly
-  /// one arc, the vertex of a node to the first arc that begins there, or else to the first that
-  /// ends there.
+  /// with the named parameter `collect_arc_vertices`. Every vertex that has an edge belongs to
+  /// exactly one arc, the vertex of a node to the first arc that begins there, or else to the first
+  /// that ends there.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices = {};
 };
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The default type of Reeb graphs. It is a Boost graph, no more and no less: \c vecS for the edges lets
-two nodes be joined by several arcs, as the two saddles of a torus are.
+The default type of Reeb graphs. It is a Boost graph, no more and no less: \c vecS for the edges
+lets two nodes be joined by several arcs, as the two saddles of a torus are.
 
-Nodes and arcs are added in the order of their numbers; the source of an edge given by `edges(graph)`
-is its lower node. In any graph the end with the smaller `id` is the lower one.
+Nodes and arcs are added in the order of their numbers; the source of an edge given by
+`edges(graph)` is its lower node. In any graph the end with the smaller `id` is the lower one.
 
 \tparam TriangleMesh the type of the mesh
 \tparam FT the type of the function's values

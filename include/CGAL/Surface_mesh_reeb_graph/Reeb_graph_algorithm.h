@@ -16,18 +16,21 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The algorithms of `compute_reeb_graph()`, for its named parameter `algorithm`. All of them give the same graph.
+The algorithms of `compute_reeb_graph()`, for its named parameter `algorithm`. All of them give the
+same graph.
 */
 enum class Reeb_graph_algorithm {
-  /// `CUTTING`, unless that would take too long: then `SWEEP`; on a mesh without border, and if no map is filled, only
-  /// through the levels between which loops may be closed, as long as that is less than half of the vertices
+  /// `CUTTING`, unless that would take too long: then `SWEEP`; on a mesh without border, and if no
+  /// map is filled, only through the levels between which loops may be closed, as long as that is
+  /// less than half of the vertices
   AUTOMATIC,
-  /// goes from the critical vertices along monotone paths, and cuts the surface where loops are closed. Takes
-  /// O(*n* + *t* log *t*) time for *n* vertices, *t* of which are critical, plus the lengths of the components of
-  /// level sets that are cut, for which there is no good bound if there are many loops
+  /// goes from the critical vertices along monotone paths, and cuts the surface where loops are
+  /// closed. Takes O(*n* + *t* log *t*) time for *n* vertices, *t* of which are critical, plus the
+  /// lengths of the components of level sets that are cut, for which there is no good bound if
+  /// there are many loops
   CUTTING,
-  /// follows the components of the level set from the lowest vertex to the highest. Takes O(*n* log *n*) time, whatever
-  /// the surface and the function
+  /// follows the components of the level set from the lowest vertex to the highest. Takes O(*n* log
+  /// *n*) time, whatever the surface and the function
   SWEEP
 };
 

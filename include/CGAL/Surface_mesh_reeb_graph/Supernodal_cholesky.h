@@ -63,27 +63,29 @@ namespace Surface_mesh_reeb_graph {
 A direct solver for sparse symmetric positive definite systems of linear equations, for one or many
 right-hand sides.
 
-It computes a Cholesky factorization *P A P^T = L L^T* with a permutation *P* that keeps the factor sparse,
-by the multifrontal method on supernodes, which needs no other library than Eigen (\cgalCite{liu_1992}).
-Its interface is that of the direct solvers of Eigen, such as `Eigen::SimplicialLDLT`, so that
-`CGAL::Eigen_solver_traits<Supernodal_cholesky<...>>` is a model of `SparseLinearAlgebraWithFactorTraits_d`.
+It computes a Cholesky factorization *P A P^T = L L^T* with a permutation *P* that keeps the factor
+sparse, by the multifrontal method on supernodes, which needs no other library than Eigen
+(\cgalCite{liu_1992}). Its interface is that of the direct solvers of Eigen, such as
+`Eigen::SimplicialLDLT`, so that `CGAL::Eigen_solver_traits<Supernodal_cholesky<...>>` is a model of
+`SparseLinearAlgebraWithFactorTraits_d`.
 
-Like those, it keeps no pointer to the matrix. All functions that are `const`, and `solve()` is one of them,
-may be called by several threads at the same time. Results are the same in every run.
+Like those, it keeps no pointer to the matrix. All functions that are `const`, and `solve()` is one
+of them, may be called by several threads at the same time. Results are the same in every run.
 
-**Failure.** Where a pivot is not positive and finite, because the matrix is not positive definite or has
-entries that are not finite, `info()` is `Eigen::NumericalIssue`. Rounding decides about matrices
-that are positive semi-definite, or nearly. If the factorization has not succeeded, solutions are zero.
+**Failure.** Where a pivot is not positive and finite, because the matrix is not positive definite
+or has entries that are not finite, `info()` is `Eigen::NumericalIssue`. Rounding decides about
+matrices that are positive semi-definite, or nearly. If the factorization has not succeeded,
+solutions are zero.
 
-**Complexity.** As the number of entries of the factor, *O(n log n)* for a surface mesh with *n* vertices and a
-good ordering, in memory and for every solution; as *O(n^1.5)* for the factorization.
+**Complexity.** As the number of entries of the factor, *O(n log n)* for a surface mesh with *n*
+vertices and a good ordering, in memory and for every solution; as *O(n^1.5)* for the factorization.
 Solutions for 8 right-hand sides read the factor once and take little longer than for one.
 
-\tparam MatrixType_ an instance of `Eigen::SparseMatrix` with `float` or `double` as number type and a signed
-        index type
+\tparam MatrixType_ an instance of `Eigen::SparseMatrix` with `float` or `double` as number type and
+        a signed index type
 \tparam UpLo_ `Eigen::Lower` or `Eigen::Upper`: the triangle of the matrix that is read
-\tparam Ordering_ a fill-reducing ordering of Eigen for symmetric matrices, such as `Eigen::AMDOrdering` or
-        `Eigen::NaturalOrdering`
+\tparam Ordering_ a fill-reducing ordering of Eigen for symmetric matrices, such as
+        `Eigen::AMDOrdering` or `Eigen::NaturalOrdering`
 
 \sa `Laplace_beltrami_eigenbasis`
 */
@@ -176,9 +178,9 @@ public:
   }
 
   /// factors the matrix `a`, whose entries are where those of the matrix of the last call of
-  /// `analyzePattern()` or `compute()` are, or at some of these positions.
-  /// `info()` is `Eigen::InvalidInput` if the pattern is another one, and `Eigen::NumericalIssue` if the
-  /// matrix is not positive definite.
+  /// `analyzePattern()` or `compute()` are, or at some of these positions. `info()` is
+  /// `Eigen::InvalidInput` if the pattern is another one, and `Eigen::NumericalIssue` if the matrix
+  /// is not positive definite.
   void factorize(const MatrixType& a)
   {
     m_factored = false;
@@ -215,7 +217,8 @@ public:
   /// returns the number of columns of the matrix.
   Index cols() const { return m_size; }
 
-  /// returns the permutation *P*: row `i` of the matrix is row `permutationP().indices()[i]` of the factor.
+  /// returns the permutation *P*: row `i` of the matrix is row `permutationP().indices()[i]` of the
+  /// factor.
   const Permutation& permutationP() const { return m_permutation; }
 
   /// returns the determinant of the matrix. It easily is beyond the range of the number type.
@@ -234,7 +237,8 @@ public:
     return root * root;
   }
 
-  /// returns the number of entries of the lower triangular factor, with the zeros that are stored, too.
+  /// returns the number of entries of the lower triangular factor, with the zeros that are stored,
+  /// too.
   Index nonZeros() const { return m_structure.number_of_entries(); }
 
   /// returns the number of bytes that the solver holds for the factor and its pattern.
@@ -251,14 +255,15 @@ public:
   /// @{
 
 #ifdef DOXYGEN_RUNNING
-  /// returns the solution *X* of *A X = B*, as an expression of Eigen. `b` is a vector or a matrix, dense or
-  /// sparse. Blocks of 8 columns are solved together.
+  /// returns the solution *X* of *A X = B*, as an expression of Eigen. `b` is a vector or a matrix,
+  /// dense or sparse. Blocks of 8 columns are solved together.
   /// \pre `info()` is `Eigen::Success` after a factorization, and `b.rows() == rows()`.
   template <class Rhs>
   unspecified_type solve(const Rhs& b) const;
 #endif
 
-  /// replaces the right-hand sides, the columns of `x`, by the solutions. It holds a copy of `x` meanwhile.
+  /// replaces the right-hand sides, the columns of `x`, by the solutions. It holds a copy of `x`
+  /// meanwhile.
   /// \tparam Columns the number of right-hand sides; 8 make the best of a cache line
   /// \pre `info()` is `Eigen::Success` after a factorization, and `x.rows() == rows()`.
   template <int Columns>
@@ -272,8 +277,8 @@ public:
     solve_columns<Columns>(x, 0, x);
   }
 
-  /// replaces the rows of `x`, which are those of a right-hand side in the order of the factor, by the
-  /// solution in the same order: *P A P^T X = B*. Nothing of the size of `x` is copied or
+  /// replaces the rows of `x`, which are those of a right-hand side in the order of the factor, by
+  /// the solution in the same order: *P A P^T X = B*. Nothing of the size of `x` is copied or
   /// allocated.
   /// \tparam Columns the number of right-hand sides; 8 make the best of a cache line
   /// \pre `info()` is `Eigen::Success` after a factorization, and `x.rows() == rows()`.

@@ -34,14 +34,17 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-computes the Reeb graph of the commute-time mapping function: the method of \cgalCite{el_khoury_2012} in one call.
+computes the Reeb graph of the commute-time mapping function: the method of
+\cgalCite{el_khoury_2012} in one call.
 
-It computes the eigenbasis, the feature points, the mapping function, its Reeb graph, and simplifies it. For a shape with
-limbs the graph has a minimum in the center and a maximum at the tip of every limb, in any pose.
+It computes the eigenbasis, the feature points, the mapping function, its Reeb graph, and simplifies
+it. For a shape with limbs the graph has a minimum in the center and a maximum at the tip of every
+limb, in any pose.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam MutableGraph as in `compute_reeb_graph()`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param graph the Reeb graph; what it contained before is lost

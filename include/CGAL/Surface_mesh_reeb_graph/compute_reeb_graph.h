@@ -201,9 +201,9 @@ computes the Reeb graph of a scalar function on a triangle mesh.
 
 Two points of the surface belong together if they have the same value and lie in the same connected
 component of their level set; the Reeb graph is what remains of the surface then. Its nodes are the
-vertices of the mesh at which components of level sets appear, vanish, split or merge; its arcs are the
-families of components in between (\cgalCite{el_khoury_2012}, Sections 3.3 and 5). The function is extended
-linearly over the triangles; the vertices are compared by `Vertex_order`, exactly.
+vertices of the mesh at which components of level sets appear, vanish, split or merge; its arcs are
+the families of components in between (\cgalCite{el_khoury_2012}, Sections 3.3 and 5). The function
+is extended linearly over the triangles; the vertices are compared by `Vertex_order`, exactly.
 
 The mesh may have borders (the components of level sets are then open curves), several connected
 components, isolated vertices (a node each) and degenerate faces: only its connectivity and the
@@ -213,28 +213,33 @@ cancelled: a constant function on a sphere has one minimum, one maximum and one 
 
 Infinite values are ordered as such. An empty mesh gives an empty graph.
 
-Calls for the same mesh may run in several threads at once. (For a polyhedron whose items have ids that are not set,
+Calls for the same mesh may run in several threads at once. (For a polyhedron whose items have ids
+that are not set,
 \cgal sets them at the first use: that call must be over before others begin.)
 
-The result is the same for all algorithms and any number of threads; for distinct values it does not depend on how vertices
-and faces are numbered either.
+The result is the same for all algorithms and any number of threads; for distinct values it does not
+depend on how vertices and faces are numbered either.
 
-\tparam ConcurrencyTag `CGAL::Sequential_tag` or, if the program is linked with \tbb (see `CGAL::TBB_support`),
-        `CGAL::Parallel_tag`. Then the property maps are read by several threads at once.
+\tparam ConcurrencyTag `CGAL::Sequential_tag` or, if the program is linked with \tbb (see
+        `CGAL::TBB_support`), `CGAL::Parallel_tag`. Then the property maps are read by several
+        threads at once.
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type that can
-        be assigned to the member `value` of the nodes as value type. The map is read several times for
-        every vertex: reading must be cheap, and always give the same.
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type that
+        can be assigned to the member `value` of the nodes as value type. The map is read several
+        times for every vertex: reading must be cheap, and always give the same.
 \tparam MutableGraph a model of `VertexMutableGraph`, `EdgeMutableGraph` and `VertexListGraph` that
-        allows parallel edges, default constructible and assignable, with bundled properties that have
-        (at least) the members of `Reeb_node` and `Reeb_arc` and are default constructible and copyable;
-        for example `Reeb_graph<TriangleMesh>`, or `Reeb_graph<TriangleMesh, FT>` for values of type `FT`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+        allows parallel edges, default constructible and assignable, with bundled properties that
+        have (at least) the members of `Reeb_node` and `Reeb_arc` and are default constructible and
+        copyable; for example `Reeb_graph<TriangleMesh>`, or `Reeb_graph<TriangleMesh, FT>` for
+        values of type `FT`
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
-\param graph the Reeb graph; what it contained before is lost, a property of the whole graph included
+\param graph the Reeb graph; what it contained before is lost, a property of the whole graph
+       included
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
@@ -271,16 +276,17 @@ and faces are numbered either.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(*n* log *n*) time for *n* vertices at most, and O(*n* + *t* log *t*) time if *t* of them are critical and there are few
-loops; O(*n* log *n*) with any of the maps that are filled. At its peak it needs about 10 to 20 bytes per vertex beyond its
-output, 45 for the sweep, if the vertices of the mesh have indices and no map is filled (\ref reeb_graph_performance).
+Takes O(*n* log *n*) time for *n* vertices at most, and O(*n* + *t* log *t*) time if *t* of them are
+critical and there are few loops; O(*n* log *n*) with any of the maps that are filled. At its peak
+it needs about 10 to 20 bytes per vertex beyond its output, 45 for the sweep, if the vertices of the
+mesh have indices and no map is filled (\ref reeb_graph_performance).
 
 \pre `CGAL::is_triangle_mesh(tmesh)`
 
-\throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces around a vertex form several closed fans, or
-        if the arcs cannot be numbered in the value type of a map; `graph` and the maps are then left
-        as they were. (If there is not enough memory to write the graph, `std::bad_alloc` is thrown and the graph
-        is left empty.)
+\throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces
+        around a vertex form several closed fans, or if the arcs cannot be numbered in the value
+        type of a map; `graph` and the maps are then left as they were. (If there is not enough
+        memory to write the graph, `std::bad_alloc` is thrown and the graph is left empty.)
 
 \sa `simplify_reeb_graph()`
 \sa `commute_time_reeb_graph()`

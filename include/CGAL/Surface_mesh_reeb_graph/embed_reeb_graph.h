@@ -32,18 +32,19 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-returns a polyline in space for an arc of a Reeb graph: from the lower node, a point of the surface, through the
-barycenters of the arc's vertices, in groups of increasing value and equal size, to the upper node. Where level sets
-are round, the barycenters lie inside the shape. (The arc's vertices include that of the lower node if this is its
-first arc.)
+returns a polyline in space for an arc of a Reeb graph: from the lower node, a point of the surface,
+through the barycenters of the arc's vertices, in groups of increasing value and equal size, to the
+upper node. Where level sets are round, the barycenters lie inside the shape. (The arc's vertices
+include that of the lower node if this is its first arc.)
 
 \tparam Graph a graph filled by `compute_reeb_graph()`
 \tparam TriangleMesh a model of `VertexListGraph`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param arc the arc
-\param graph the Reeb graph; without the vertices of its arcs (see the named parameter `collect_arc_vertices` of
-       `compute_reeb_graph()`) polylines are straight
+\param graph the Reeb graph; without the vertices of its arcs (see the named parameter
+       `collect_arc_vertices` of `compute_reeb_graph()`) polylines are straight
 \param tmesh the mesh
 \param np an optional sequence of named parameters among the ones listed below
 

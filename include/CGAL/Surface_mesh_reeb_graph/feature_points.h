@@ -83,20 +83,23 @@ finds the feature points of a mesh: the tips of its limbs (\cgalCite{el_khoury_2
 
 In every connected component,
 1. `V1` and `V2` are the two vertices with the largest diffusion distance (Eq. 8) at the large time;
-2. candidates are the local maxima of the diffusion distances from `V1` and from `V2` (Eq. 10 and 11) at the
-   small time, that is, the vertices all of whose neighbors have a smaller distance;
+2. candidates are the local maxima of the diffusion distances from `V1` and from `V2` (Eq. 10 and
+   11) at the small time, that is, the vertices all of whose neighbors have a smaller distance;
 3. of candidates that are neighbors the one with the largest distance is kept.
 
-The paper asks for local minima in step 2. Far from `V1` the squared distance to `V1` is, up to a constant, the heat
-that remains at the vertex itself, and that is largest on the tips: so we take maxima, as does the method
-that the paper builds on. The literal reading is available as a named parameter.
+The paper asks for local minima in step 2. Far from `V1` the squared distance to `V1` is, up to a
+constant, the heat that remains at the vertex itself, and that is largest on the tips: so we take
+maxima, as does the method that the paper builds on. The literal reading is available as a named
+parameter.
 
-Components without eigenpairs (isolated vertices) have no feature points; all others have at least one.
+Components without eigenpairs (isolated vertices) have no feature points; all others have at least
+one.
 
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam OutputIterator a model of `OutputIterator` that holds
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param basis the eigenbasis
 \param out receives the feature points, component by component, by decreasing distance
@@ -120,9 +123,9 @@ Components without eigenpairs (isolated vertices) have no feature points; all ot
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(n k) time for *n* vertices and *k* eigenpairs, plus O(n) comparisons for the farthest pair. That pair is
-exact, except on large meshes if the shape is so symmetric, or the large time so small, that a large part of all pairs
-is about as long as the longest: then it is a long one.
+Takes O(n k) time for *n* vertices and *k* eigenpairs, plus O(n) comparisons for the farthest pair.
+That pair is exact, except on large meshes if the shape is so symmetric, or the large time so small,
+that a large part of all pairs is about as long as the longest: then it is a long one.
 
 \return the output iterator
 

@@ -34,14 +34,16 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
 
-computes the height of every vertex along an axis (Shinagawa and Kunii 1991): the scalar product of its position
-vector with the normalized axis. It depends on the pose of the shape.
+computes the height of every vertex along an axis (Shinagawa and Kunii 1991): the scalar product of
+its position vector with the normalized axis. It depends on the pose of the shape.
 
 \tparam TriangleMesh a model of `VertexListGraph`
 \tparam Vector_3 a three-dimensional vector of a \cgal kernel
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param axis the direction of increasing height
@@ -97,12 +99,13 @@ writes the eigenfunction of the `k`-th smallest non-zero eigenvalue, of every co
 
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
 
 \param basis the eigenbasis
 \param k the number of the eigenfunction, from 1 on
-\param values receives the eigenfunction, in the unit of an inverse length; it is 0 in components with less than
-       `k` eigenpairs
+\param values receives the eigenfunction, in the unit of an inverse length; it is 0 in components
+       with less than `k` eigenpairs
 
 Takes O(n) time for *n* vertices.
 
@@ -128,15 +131,16 @@ void eigenfunction(
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
 
-computes the commute-time mapping function (\cgalCite{el_khoury_2012}, Eq. 12): the largest commute-time distance of a
-vertex to the feature points of its component,
-`F(v) = max_i d_C(v, V_i)`. It is smallest in the center of the shape and largest on the tips of its limbs, and does
-not depend on pose and size.
+computes the commute-time mapping function (\cgalCite{el_khoury_2012}, Eq. 12): the largest
+commute-time distance of a vertex to the feature points of its component,
+`F(v) = max_i d_C(v, V_i)`. It is smallest in the center of the shape and largest on the tips of its
+limbs, and does not depend on pose and size.
 
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexRange a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
 
 \param basis the eigenbasis
 \param points the feature points, for example those of `feature_points()`

@@ -52,20 +52,23 @@ void write_distances(const Eigenbasis& basis,
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
 
-computes the diffusion distances (\cgalCite{el_khoury_2012}, Eq. 8) of all vertices from one at time `t`: what
-`Laplace_beltrami_eigenbasis::diffusion_distance()` returns, for all vertices in one pass over the eigenfunctions.
+computes the diffusion distances (\cgalCite{el_khoury_2012}, Eq. 8) of all vertices from one at time
+`t`: what `Laplace_beltrami_eigenbasis::diffusion_distance()` returns, for all vertices in one pass
+over the eigenfunctions.
 
-Where a distance is `1e-150` times the largest one or less, which takes large times and vertices that the
-first eigenfunctions do not tell apart, it may come out as 0.
+Where a distance is `1e-150` times the largest one or less, which takes large times and vertices
+that the first eigenfunctions do not tell apart, it may come out as 0.
 
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexDistanceMap a model of `WritablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
 
 \param basis the eigenbasis
 \param source the vertex that the distances are measured from
 \param t the time, without unit, see `Laplace_beltrami_eigenbasis`
-\param distances receives the distances, without unit: 0 for the source, infinity in other components
+\param distances receives the distances, without unit: 0 for the source, infinity in other
+       components
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs.
 
@@ -92,16 +95,19 @@ void diffusion_distances(
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
 
-computes the commute-time distances (\cgalCite{el_khoury_2012}, Eq. 9) of all vertices from one: what
-`Laplace_beltrami_eigenbasis::commute_time_distance()` returns, for all vertices in one pass over the eigenfunctions.
+computes the commute-time distances (\cgalCite{el_khoury_2012}, Eq. 9) of all vertices from one:
+what `Laplace_beltrami_eigenbasis::commute_time_distance()` returns, for all vertices in one pass
+over the eigenfunctions.
 
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_beltrami_eigenbasis`
 \tparam VertexDistanceMap a model of `WritablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
 
 \param basis the eigenbasis
 \param source the vertex that the distances are measured from
-\param distances receives the distances, without unit: 0 for the source, infinity in other components
+\param distances receives the distances, without unit: 0 for the source, infinity in other
+       components
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs.
 

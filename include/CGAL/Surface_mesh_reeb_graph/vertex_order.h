@@ -49,19 +49,19 @@ The strict total order of the vertices that turns any scalar function into a Mor
 (\cgalCite{el_khoury_2012}, Section 4.3 and Eq. 13). Vertices are compared
 
 1. by their value, exactly: never with a tolerance;
-2. inside a plateau (vertices of equal value that are connected by edges) by the number of edges, along
-   the plateau, from its lower border: the vertices of the plateau that have a lower neighbor. A
-   plateau without a lower border counts from one of its vertices. So a plateau has no local minimum
-   of its own, but for the one that it is if it has no lower border;
+2. inside a plateau (vertices of equal value that are connected by edges) by the number of edges,
+   along the plateau, from its lower border: the vertices of the plateau that have a lower neighbor.
+   A plateau without a lower border counts from one of its vertices. So a plateau has no local
+   minimum of its own, but for the one that it is if it has no lower border;
 3. by their index.
 
-The object can be copied cheaply. It is a model of `StrictWeakOrdering` for vertices and can be given to `std::sort()`. On a
-function without plateaus it takes no memory.
+The object can be copied cheaply. It is a model of `StrictWeakOrdering` for vertices and can be
+given to `std::sort()`. On a function without plateaus it takes no memory.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam VertexScalarMap a model of `ReadablePropertyMap` with
-        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or any
-        other type with a strict order `<`, as value type
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type, or
+        any other type with a strict order `<`, as value type
 \tparam VertexIndexMap a model of `ReadablePropertyMap` with the vertex descriptor as key type and a
         distinct integer from 0 to `num_vertices(tmesh) - 1` for every vertex
 */
@@ -79,7 +79,8 @@ public:
   /*!
   prepares the order.
 
-  Takes one pass over vertices and edges; if there are plateaus, another one and four bytes per vertex.
+  Takes one pass over vertices and edges; if there are plateaus, another one and four bytes per
+  vertex.
 
   \param tmesh the mesh; it must outlive the order
   \param scalar_map the function
@@ -290,7 +291,8 @@ highest one *n* - 1, where *n* is the number of vertices. (Removed vertices of a
         any other type with a strict order `<`, as value type
 \tparam VertexRankMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
         number type as value type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
@@ -347,7 +349,8 @@ saddles inside plateaus then, which the values given here hide from it.)
         any other type with a strict order `<`, as value type
 \tparam VertexValueMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
         number type that has fractions, as `double`, as value type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named parameters"
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_reeb_graph::parameters "named
+        parameters"
 
 \param tmesh the mesh
 \param scalar_map the function

@@ -33,9 +33,9 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
-writes a mesh with a function and the arcs of its vertices as a VTK XML file (`.vtp`) for ParaView. The arrays of the
-points are named `value` and `arc`; a vertex without an arc has the arc number -1. ParaView reads finite numbers
-only: infinite values become the largest of these.
+writes a mesh with a function and the arcs of its vertices as a VTK XML file (`.vtp`) for ParaView.
+The arrays of the points are named `value` and `arc`; a vertex without an arc has the arc number -1.
+ParaView reads finite numbers only: infinite values become the largest of these.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` from vertices to numbers
 \tparam VertexArcMap a model of `ReadablePropertyMap` from vertices to integers

@@ -134,15 +134,15 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
-writes a Reeb graph as GraphML, with the writer of Boost.Graph. Nodes have the properties `id`, `mesh_vertex` (the index
-of the critical vertex), `value`, `type` (in words), `x`, `y` and `z`; arcs have `id` and `number_of_vertices` (0 unless the
-vertices of the arcs have been collected).
+writes a Reeb graph as GraphML, with the writer of Boost.Graph. Nodes have the properties `id`,
+`mesh_vertex` (the index of the critical vertex), `value`, `type` (in words), `x`, `y` and `z`; arcs
+have `id` and `number_of_vertices` (0 unless the vertices of the arcs have been collected).
 
 \param out the stream
 \param graph the Reeb graph
 \param tmesh the mesh
-\param np an optional sequence of named parameters: `vertex_index_map` and `vertex_point_map`, by default those
-       of the mesh
+\param np an optional sequence of named parameters: `vertex_index_map` and `vertex_point_map`, by
+       default those of the mesh
 
 \return `true` if the stream is good afterwards
 */
@@ -162,8 +162,8 @@ bool write_graphml(std::ostream& out,
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
-writes a Reeb graph in the DOT language of Graphviz, with the writer of Boost.Graph and the properties that
-`write_graphml()` writes.
+writes a Reeb graph in the DOT language of Graphviz, with the writer of Boost.Graph and the
+properties that `write_graphml()` writes.
 
 \param out the stream
 \param graph the Reeb graph

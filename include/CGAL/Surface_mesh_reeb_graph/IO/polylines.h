@@ -25,8 +25,9 @@ namespace IO {
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
-writes the arcs of a Reeb graph as polylines, in \cgal's format: a line for every arc, in the order of `edges(graph)`, with
-the number of points and their coordinates. Coordinates are converted to `double` and written such that these can be read back exactly.
+writes the arcs of a Reeb graph as polylines, in \cgal's format: a line for every arc, in the order
+of `edges(graph)`, with the number of points and their coordinates. Coordinates are converted to
+`double` and written such that these can be read back exactly.
 
 \param out the stream
 \param graph the Reeb graph

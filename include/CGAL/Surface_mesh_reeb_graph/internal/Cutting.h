@@ -39,15 +39,16 @@ namespace internal {
 
 // Computes the Reeb graph without sorting the vertices.
 //
-// 1. From every wedge of the critical vertices a monotone path leads to another critical vertex. With these, a
-//    pass over the critical vertices in increasing (decreasing) order tells how the components of the
-//    sublevel (superlevel) sets merge (Chiang, Lenz, Lu, Rote, "Simple and optimal output-sensitive
-//    construction of contour trees using monotone paths", 2005).
-// 2. Without loops, the Reeb graph follows from these two forests (see Leaf_pruning). A loop is closed where two
-//    components of a level set meet that belong to one component of the sublevel set. Where that may be (a simple
-//    saddle at which neither forest merges anything, for example: on a closed surface of genus g these are 2 g)
-//    walks along the level set find out, and the surface is cut along the shorter component: then there are no
-//    loops, and every cut becomes a leaf of the graph whose arc is led to the saddle of the cut in the end.
+// 1. From every wedge of the critical vertices a monotone path leads to another critical vertex.
+//    With these, a pass over the critical vertices in increasing (decreasing) order tells how the
+//    components of the sublevel (superlevel) sets merge (Chiang, Lenz, Lu, Rote, "Simple and
+//    optimal output-sensitive construction of contour trees using monotone paths", 2005).
+// 2. Without loops, the Reeb graph follows from these two forests (see Leaf_pruning). A loop is
+//    closed where two components of a level set meet that belong to one component of the sublevel
+//    set. Where that may be (a simple saddle at which neither forest merges anything, for example:
+//    on a closed surface of genus g these are 2 g) walks along the level set find out, and the
+//    surface is cut along the shorter component: then there are no loops, and every cut becomes a
+//    leaf of the graph whose arc is led to the saddle of the cut in the end.
 //
 // Takes O(n + t log t) time for n vertices and t critical ones, and the walks, which a budget
 // bounds.

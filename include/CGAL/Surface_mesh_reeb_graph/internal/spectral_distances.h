@@ -138,10 +138,10 @@ Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
 // For every row the largest of the squared distances to the rows of the sources; 0 if there are
 // none.
 //
-// With the first source y as origin, that to another one z is |x - y|^2 + |z - y|^2 - 2 (x - y) (z - y), and
-// these scalar products are a product of matrices. The result r^2 is at least |x - y|^2, and
-// |z - y| <= |x - z| + |x - y| <= 2 r. So no term is much larger than the result, and nothing is lost in
-// their sum, near sources or not.
+// With the first source y as origin, that to another one z is
+// |x - y|^2 + |z - y|^2 - 2 (x - y) (z - y), and these scalar products are a product of matrices.
+// The result r^2 is at least |x - y|^2, and |z - y| <= |x - z| + |x - y| <= 2 r. So no term is much
+// larger than the result, and nothing is lost in their sum, near sources or not.
 template <class Matrix>
 Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
                                           const Eigen::VectorXd& factors,
