@@ -166,10 +166,11 @@ new.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs. To close *h* loops, on whose cycles are
-*p* peaks beside the merges, takes O((m + h + p) log<sup>2</sup> m) time, however long the cycles
-are (\cgalCite{georgiadis_2011}). If there is anything to bring up to date for *n* vertices or faces,
-O(n log m) more, or O(n log n) if `Reeb_arc::vertices` has been filled.
+Takes O(m log m) time for a graph with *m* nodes and arcs. To close loops, on whose cycles are *p*
+peaks beside the merges, takes O((m + p) log<sup>2</sup> m) time in the worst case, however long the
+cycles are (\cgalCite{georgiadis_2011}); *p* is O(m log m), and few in practice. If there is
+anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n log n) if
+`Reeb_arc::vertices` has been filled.
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or

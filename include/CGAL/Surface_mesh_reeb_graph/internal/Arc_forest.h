@@ -75,49 +75,38 @@ public:
     , m_components(number_of_nodes)
   {}
 
-  // Gives the forest the next arc. If it completes a cycle, returns the arc that therefore leaves
-  // the forest, or does not enter it: the highest one on the cycle.
-  std::uint32_t add(std::uint32_t arc)
+  // A part of a path; it may be empty. It goes from node to node, or begins or ends with an arc.
+  using Path = typename Link_cut_forest<Summary>::Root;
+  static constexpr Path empty_path = Link_cut_forest<Summary>::no_item;
+
+  struct Cycle
+  {
+    std::uint32_t highest_arc; // that has left the forest, or not entered it; `no_arc`: no cycle
+    Path path;                 // of the others, from the upper end of that arc to the lower one
+  };
+
+  // Gives the forest the next arc. Returns the cycle that it completes, if any.
+  Cycle add(std::uint32_t arc)
   {
     const Arc_ends& ends = m_arcs[arc];
     const std::uint32_t lower_component = m_components.root(ends.lower),
                         upper_component = m_components.root(ends.upper);
     if (lower_component != upper_component) {
       m_components.join(lower_component, upper_component);
-      insert(arc);
-      return no_arc;
+      set_summary(arc);
+      m_forest.insert(item_of(arc), ends.lower, ends.upper);
+      return {no_arc, empty_path};
     }
-    const Highest_arc highest = sum_on_path(ends.lower, ends.upper);
+    const Path path = m_forest.path(ends.lower, ends.upper);
+    const Highest_arc highest = m_forest.sum(path);
     if (highest.upper <= ends.upper)
-      return arc;
-    remove(highest.arc);
-    insert(arc);
-    return highest.arc;
-  }
-
-  // Joins two trees.
-  void insert(std::uint32_t arc)
-  {
-    m_forest.set_summary(item_of(arc), Summary(arc, m_arcs[arc]));
-    m_forest.insert(item_of(arc), m_arcs[arc].lower, m_arcs[arc].upper);
-  }
-
-  // The nodes that the arc connects must be connected again before the next arc is added.
-  void remove(std::uint32_t arc)
-  {
-    m_forest.remove(item_of(arc), m_arcs[arc].lower, m_arcs[arc].upper);
-  }
-
-  // What is known of the arcs on the path between two nodes of a tree.
-  const Summary& sum_on_path(std::uint32_t node, std::uint32_t other)
-  {
-    return m_forest.sum_on_path(node, other);
-  }
-
-  // The first arc on the path from a node to another one of its tree.
-  std::uint32_t first_on_path(std::uint32_t node, std::uint32_t other)
-  {
-    return arc_of(m_forest.second_on_path(node, other));
+      return {arc, reversed(path)};
+    auto [first, last] = m_forest.cut_out(item_of(highest.arc));
+    const std::uint32_t end_of_first = cut_off_last_node(first);
+    first = join_by_node(first, end_of_first, empty_path);
+    if (end_of_first == highest.upper)
+      return {highest.arc, join_by_arc(reversed(first), arc, reversed(last))};
+    return {highest.arc, join_by_arc(last, arc, first)};
   }
 
   struct Node_on_path
@@ -132,25 +121,58 @@ public:
   {
     const auto last =
         m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
-          return holds(is_node(item) ? item : m_arcs[arc_of(item)].lower);
+          return holds(lower_end(item));
         });
     return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }
 
-  // The node at which the path from a node to another one turns that begins downwards, or upwards,
-  // and the other node if it does not turn. `length` is a part of the summary, the sum over all
-  // arcs of the differences of their ends.
-  std::uint32_t first_turn(bool begins_downwards, std::uint32_t node, std::uint32_t other)
+  // The path of a cycle can be changed. Its arcs and nodes must be put together again before
+  // anything else is done with the forest; arcs may be left out.
+
+  static Path path_of_node(std::uint32_t node) { return node; }
+
+  Path reversed(Path path)
   {
-    const auto goes_on = [&](std::uint32_t item, const Summary& sum) {
-      std::uint32_t end = item; // of the path to the item, if it does not turn
-      if (!is_node(item))
-        end = begins_downwards ? m_arcs[arc_of(item)].lower : m_arcs[arc_of(item)].upper;
+    m_forest.reverse(path);
+    return path;
+  }
+
+  // One path after the other, with an arc, or a node, between them.
+  Path join_by_arc(Path first, std::uint32_t arc, Path last)
+  {
+    set_summary(arc);
+    return m_forest.join(first, item_of(arc), last);
+  }
+  Path join_by_node(Path first, std::uint32_t node, Path last)
+  {
+    return m_forest.join(first, node, last);
+  }
+
+  std::uint32_t cut_off_first_node(Path& path) { return m_forest.cut_off_first(path); }
+  std::uint32_t cut_off_last_node(Path& path) { return m_forest.cut_off_last(path); }
+  std::uint32_t cut_off_first_arc(Path& path) { return arc_of(m_forest.cut_off_first(path)); }
+
+  // The nodes above another one at the beginning of a path downwards, and the arcs between them.
+  Path cut_off_above(std::uint32_t node, Path& path)
+  {
+    return m_forest.cut_off_while(
+        path, [&](std::uint32_t item, const Summary&) { return lower_end(item) > node; });
+  }
+
+  // The part of a path up to where it turns that begins downwards, or upwards, at a node, which it
+  // contains or follows. `length` is a part of the summary, the sum over all arcs of the
+  // differences of their ends.
+  Path cut_off_monotone_part(bool begins_downwards, std::uint32_t node, Path& path)
+  {
+    return m_forest.cut_off_while(path, [&](std::uint32_t item, const Summary& sum) {
+      const std::uint32_t end = begins_downwards ? lower_end(item) : upper_end(item);
       return begins_downwards ? end <= node && sum.length == node - end
                               : node <= end && sum.length == end - node;
-    };
-    return m_forest.last_on_path(node, other, goes_on).item;
+    });
   }
+
+  // Hangs a path on a node that its first arc ends at.
+  void hang(Path path, std::uint32_t node) { m_forest.hang(path, node); }
 
 private:
   // the nodes, then the arcs, each between its ends
@@ -162,6 +184,20 @@ private:
   std::uint32_t arc_of(std::uint32_t item) const
   {
     return static_cast<std::uint32_t>(item - m_number_of_nodes);
+  }
+
+  void set_summary(std::uint32_t arc)
+  {
+    m_forest.set_summary(item_of(arc), Summary(arc, m_arcs[arc]));
+  }
+
+  std::uint32_t lower_end(std::uint32_t item) const
+  {
+    return is_node(item) ? item : m_arcs[arc_of(item)].lower;
+  }
+  std::uint32_t upper_end(std::uint32_t item) const
+  {
+    return is_node(item) ? item : m_arcs[arc_of(item)].upper;
   }
 
   std::size_t m_number_of_nodes;

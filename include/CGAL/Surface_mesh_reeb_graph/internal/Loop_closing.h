@@ -64,6 +64,19 @@ struct Glued_part
 // the number of changes from one side to the other: it is O(log m) for each zip and O(m log m) in
 // all (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data structures for mergeable trees", 2011).
 // Every change takes O(log m) time.
+//
+// All cycles together have O(m log m) peaks. For consider the part of the forest that cycles may
+// still run through: the arcs whose upper node would make a small pair with the lower node of the
+// next arc. Let it be divided into up-trees, connected parts in which no node has two arcs down; at
+// first each arc is one. A path has a peak at most where it changes from one up-tree to another. A
+// cycle that has been closed is an up-tree, together with what hangs on it upwards in the up-trees
+// that it ran through. Of each of these at most one part is left, which hangs downwards on the
+// lowest node that the cycle had in it, so it is a neighbor of the new up-tree: in the tree of
+// up-trees and nodes, a path becomes a star. Now imagine that tree as a link-cut tree. To look up
+// a path makes O(log m) edges solid, amortized, and a star that replaces the path, without solid
+// edges, raises the potential by O(log m). There are O(m) such operations, for the arcs that come
+// and go and for the loops, and every edge that a star takes away had been made solid: the paths
+// that become stars have O(m log m) edges.
 class Loop_closing
 {
 public:
@@ -81,9 +94,10 @@ public:
   void run(const IsSmall& is_small)
   {
     for (const std::uint32_t arc : sorted_downwards(m_number_of_nodes, m_arcs)) {
-      const std::uint32_t highest = m_forest.add(arc);
-      if (highest != no_arc && is_small(Loop_pair{m_arcs[arc].lower, m_arcs[highest].upper}))
-        close(highest, m_arcs[arc].lower);
+      const Cycle cycle = m_forest.add(arc);
+      if (cycle.highest_arc != no_arc &&
+          is_small(Loop_pair{m_arcs[arc].lower, m_arcs[cycle.highest_arc].upper}))
+        close(cycle);
     }
   }
 
@@ -116,68 +130,92 @@ private:
     std::uint64_t length = 0; // the sum over the arcs
   };
 
-  // Closes the loop of the path between the ends of an arc that is not in the forest, and whose
-  // upper node is the highest one of the cycle.
-  void close(std::uint32_t arc, std::uint32_t split)
-  {
-    const Arc_ends ends = m_arcs[arc];
-    const std::uint64_t length = m_forest.sum_on_path(ends.upper, ends.lower).length;
-    if (length != (ends.upper - split) + std::uint64_t(ends.lower - split))
-      close_peaks(ends.upper, ends.lower);
-    zip(ends.upper, {arc, split}, split);
-  }
+  using Forest = Arc_forest<Summary>;
+  using Cycle = Forest::Cycle;
+  using Path = Forest::Path;
 
-  // Makes a path between two nodes, the first one its highest, one that goes down and then up.
-  void close_peaks(std::uint32_t node, std::uint32_t other)
+  // A path downwards from where two sides meet: its first arc, and the rest, down to the valley,
+  // which is not part of it.
+  struct Side
   {
-    m_have_other_pairs_changed = true;
-    m_turns.clear();
-    for (bool goes_down = true; node != other; goes_down = !goes_down) {
-      node = m_forest.first_turn(goes_down, node, other);
-      m_turns.push_back(node);
-    }
-    std::uint32_t valley = m_turns.front();
-    for (std::size_t i = 1; i + 1 < m_turns.size(); i += 2) {
-      const std::uint32_t peak = m_turns[i], next_valley = m_turns[i + 1];
-      const std::uint32_t arc = m_forest.first_on_path(peak, valley);
-      m_forest.remove(arc);
-      zip(peak, {arc, valley}, next_valley);
-      valley = (std::min)(valley, next_valley);
-    }
-  }
-
-  // A path downwards that begins with an arc that is not in the forest; the others are.
-  struct Side_of_cycle
-  {
-    std::uint32_t arc, valley;
+    std::uint32_t arc;
+    Path rest;
+    std::uint32_t valley;
   };
 
-  // Zips two paths downwards together that begin at a node, one of them in the forest, down to the
-  // higher one of their valleys.
-  void zip(std::uint32_t node, Side_of_cycle side, std::uint32_t other_valley)
+  // Folds a cycle flat.
+  void close(const Cycle& cycle)
   {
-    std::uint32_t other_arc = m_forest.first_on_path(node, other_valley);
+    const std::uint32_t merge = m_arcs[cycle.highest_arc].upper;
+    Path rest = cycle.path;
+    Path down = m_forest.cut_off_monotone_part(true, merge, rest);
+    std::uint32_t valley = m_forest.cut_off_last_node(down);
+    Path up = m_forest.cut_off_monotone_part(false, valley, rest);
+    while (rest != Forest::empty_path)
+      close_peak(down, valley, up, rest);
+    m_forest.cut_off_first_node(down);
+    const Zipped_sides zipped =
+        zip(merge, side(down, valley), {cycle.highest_arc, m_forest.reversed(up), valley});
+    m_forest.join_by_node(zipped.path, valley, Forest::empty_path);
+  }
+
+  // Zips a peak of a cycle that goes down to a valley, up to the peak, and then the rest of its
+  // path. Afterwards, `up` ends at the next peak. Neither `down` nor `up` contains the valley.
+  void close_peak(Path& down, std::uint32_t& valley, Path& up, Path& rest)
+  {
+    m_have_other_pairs_changed = true;
+    const std::uint32_t peak = m_forest.cut_off_last_node(up);
+    Path other = m_forest.cut_off_monotone_part(true, peak, rest);
+    const std::uint32_t other_valley = m_forest.cut_off_last_node(other);
+    const Zipped_sides zipped =
+        zip(peak, side(m_forest.reversed(up), valley), side(other, other_valley));
+    m_forest.hang(m_forest.reversed(zipped.path), (std::max)(valley, other_valley));
+
+    const Path left = m_forest.join_by_arc(Forest::empty_path, zipped.left.arc, zipped.left.rest);
+    const Path next_up = m_forest.cut_off_monotone_part(false, other_valley, rest);
+    if (other_valley < valley) {
+      down = m_forest.join_by_node(down, valley, left);
+      valley = other_valley;
+      up = next_up;
+    } else {
+      up = m_forest.join_by_node(m_forest.reversed(left), other_valley, next_up);
+    }
+  }
+
+  // A path downwards, without the node that it begins at, from its first arc on.
+  Side side(Path path, std::uint32_t valley)
+  {
+    const std::uint32_t arc = m_forest.cut_off_first_arc(path);
+    return {arc, path, valley};
+  }
+
+  // The path down to the higher one of the valleys, which is not part of it, and what is left of
+  // the other side: its path from that valley on.
+  struct Zipped_sides
+  {
+    Path path;
+    Side left;
+  };
+
+  // Zips two sides together that begin at a node, down to the higher one of their valleys.
+  Zipped_sides zip(std::uint32_t node, Side side, Side other)
+  {
+    Path path = Forest::path_of_node(node);
     for (;;) {
-      if (m_arcs[other_arc].lower < m_arcs[side.arc].lower) {
-        m_forest.remove(other_arc);
-        m_forest.insert(side.arc);
-        std::swap(side.arc, other_arc);
-        std::swap(side.valley, other_valley);
+      // all of `side` that lies above the lower end of the longer arc passes at once
+      if (m_arcs[side.arc].lower < m_arcs[other.arc].lower)
+        std::swap(side, other);
+      const std::uint32_t lower = m_arcs[other.arc].lower;
+      if (side.valley >= lower) {
+        glue(other.arc, side.valley);
+        return {m_forest.join_by_arc(path, side.arc, side.rest), other};
       }
-      const std::uint32_t lower = m_arcs[side.arc].lower;
-      if (lower == other_valley) { // then it is the valley of both
-        glue(side.arc, lower);
-        return;
-      }
-      const auto last = m_forest.last_on_path_down(
-          node, other_valley, [lower](std::uint32_t other) { return other > lower; });
-      glue(side.arc, last.node);
-      if (last.node == other_valley) {
-        m_forest.insert(side.arc);
-        return;
-      }
-      node = last.node;
-      other_arc = last.next_arc;
+      Path passed = m_forest.cut_off_above(lower, side.rest);
+      const std::uint32_t last = m_forest.cut_off_last_node(passed);
+      glue(other.arc, last);
+      path = m_forest.join_by_arc(path, side.arc, passed);
+      path = m_forest.join_by_node(path, last, Forest::empty_path);
+      side.arc = m_forest.cut_off_first_arc(side.rest);
     }
   }
 
@@ -191,10 +229,9 @@ private:
 
   std::size_t m_number_of_nodes;
   std::vector<Arc_ends> m_arcs;
-  Arc_forest<Summary> m_forest;
+  Forest m_forest;
   std::vector<Glued_part> m_glued_parts;
   bool m_have_other_pairs_changed = false;
-  std::vector<std::uint32_t> m_turns; // of the path whose peaks are closed
 };
 
 } // namespace internal

@@ -36,7 +36,7 @@ loop_pairs(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
   Arc_forest<> forest(core.number_of_nodes(), core.arcs());
   std::vector<Loop_pair> pairs;
   for (const std::uint32_t arc : sorted_downwards(core.number_of_nodes(), core.arcs())) {
-    const std::uint32_t highest = forest.add(arc);
+    const std::uint32_t highest = forest.add(arc).highest_arc;
     if (highest != no_arc)
       pairs.push_back(
           {core.node_before(core.arcs()[arc].lower), core.node_before(core.arcs()[highest].upper)});
