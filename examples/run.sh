@@ -2,17 +2,20 @@
 # Computes the Reeb graph of a mesh, from nothing: installs what is missing, builds the command-line
 # tool and runs it. The results go to the folder reeb_graph_output in the current folder.
 #
-#   examples/run.sh [MESH]     MESH is an OFF, OBJ, PLY or STL file; CGAL's camel if it is not given
+#   examples/run.sh [MESH [OPTION]...]
+#
+# MESH is an OFF, OBJ, PLY or STL file; CGAL's camel if it is not given. The options are those of the
+# tool, "--simplify 0.1" if none is given.
 set -euo pipefail
 
 # shellcheck source=examples/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-if [ "$#" -gt 1 ] || [[ "${1:-}" == -* ]]; then
-  echo "usage: ${0##*/} [MESH]" >&2
+if [[ "${1:-}" == -* ]]; then
+  echo "usage: ${0##*/} [MESH [OPTION]...]" >&2
   exit 2
 fi
-if [ "$#" -eq 1 ] && [ ! -r "$1" ]; then
+if [ "$#" -ge 1 ] && [ ! -r "$1" ]; then
   echo "${0##*/}: cannot read '$1'" >&2
   exit 1
 fi
@@ -20,8 +23,12 @@ fi
 start_log "$root/build/examples_run.log"
 install_missing g++ cmake make libcgal-dev libeigen3-dev libboost-dev \
   libboost-graph-dev libboost-program-options-dev nlohmann-json3-dev
-if [ "$#" -eq 1 ]; then
+options=(--simplify 0.1)
+if [ "$#" -ge 1 ]; then
   mesh=$1
+  if [ "$#" -ge 2 ]; then
+    options=("${@:2}")
+  fi
 else
   find_cgal_data
   mesh=$CGAL_DATA_DIR/meshes/camel.off
@@ -39,8 +46,8 @@ build release --target reeb_graph
 mkdir -p reeb_graph_output
 name=${mesh##*/}
 prefix=reeb_graph_output/${name%.*}
-"$root/build/release/examples/Surface_mesh_reeb_graph/reeb_graph" "$mesh" \
-  --simplify 0.1 --output "$prefix" --report text
+tool=$root/build/release/examples/Surface_mesh_reeb_graph/reeb_graph
+"$tool" "$mesh" --output "$prefix" "${options[@]}"
 
 cat <<END
 
@@ -50,5 +57,7 @@ Files, and what opens them:
   $prefix.polylines.txt  the arcs in space                    CGAL Polyhedron demo
   $prefix.graphml        the graph                            Gephi, yEd
   $prefix.dot            the graph                            Graphviz: dot -Tsvg $prefix.dot > $prefix.svg
-  $prefix.values.txt     the function, a value per vertex     reeb_graph --values
+  $prefix.values.txt     the function, a value per vertex     the tool: --values $prefix.values.txt
+
+The tool: $tool (--help shows its options)
 END

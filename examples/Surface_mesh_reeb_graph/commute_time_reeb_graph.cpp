@@ -4,16 +4,19 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <iostream>
+#include <string>
 
 namespace SMRG = CGAL::Surface_mesh_reeb_graph;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off"),
-                                   mesh))
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::is_triangle_mesh(mesh)) {
+    std::cerr << filename << ": not a triangle mesh\n";
     return EXIT_FAILURE;
+  }
 
   SMRG::Reeb_graph<Mesh> graph;
   SMRG::commute_time_reeb_graph(mesh, graph, SMRG::parameters::persistence_threshold(0.1));

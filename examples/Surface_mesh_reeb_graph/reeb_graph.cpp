@@ -70,6 +70,10 @@ void compute_function(const Options& options, Result& result, Progress& progress
   }
 
   const bool is_eigenfunction = options.function == "eigenfunction";
+  if (is_eigenfunction && std::size_t(options.index) >= result.mesh.number_of_vertices())
+    throw File_error(options.mesh_file,
+                     "has " + std::to_string(result.mesh.number_of_vertices()) +
+                         " vertices: there is no eigenfunction " + std::to_string(options.index));
   std::unique_ptr<SMRG::Laplace_beltrami_eigenbasis<Mesh>> basis;
   timed(result.seconds.eigenbasis, progress, "computing the eigenbasis", [&]() {
     basis = std::make_unique<SMRG::Laplace_beltrami_eigenbasis<Mesh>>(

@@ -764,6 +764,28 @@ BOOST_AUTO_TEST_CASE(nan_is_an_error_that_names_the_vertex)
   BOOST_TEST(c.arcs[Vertex(3)] == arc_of_3);
 }
 
+BOOST_AUTO_TEST_CASE(a_map_that_is_too_small_is_an_error_that_names_it)
+{
+  std::mt19937 rng(6);
+  const Index_mesh mesh = sphere(3);
+  Case c(mesh, random_values(mesh.points.size(), rng));
+  Graph graph;
+  auto vertex_arcs = c.mesh.add_property_map<Vertex, signed char>("v:small", 5).first;
+  auto face_arcs = c.mesh.add_property_map<Mesh::Face_index, signed char>("f:small", 5).first;
+  const auto check = [&](const auto& np, const std::string& name) {
+    BOOST_CHECK_EXCEPTION(SMRG::compute_reeb_graph(c.mesh, c.values, graph, np),
+                          SMRG::Reeb_graph_error,
+                          [&](const SMRG::Reeb_graph_error& error) {
+                            return std::string(error.what()).find(name) != std::string::npos;
+                          });
+  };
+  check(SMRG::parameters::vertex_arc_map(vertex_arcs), "vertex arc map");
+  check(SMRG::parameters::face_arc_map(face_arcs), "face arc map");
+  BOOST_TEST(num_vertices(graph) == 0u);
+  BOOST_TEST(int(vertex_arcs[Vertex(0)]) == 5);
+  BOOST_TEST(int(face_arcs[Mesh::Face_index(0)]) == 5);
+}
+
 // Debug or Release: an error, not a walk without end.
 BOOST_AUTO_TEST_CASE(other_faces_than_triangles_are_an_error)
 {

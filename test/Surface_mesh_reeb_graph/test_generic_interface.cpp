@@ -43,6 +43,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -1550,6 +1552,50 @@ BOOST_FIXTURE_TEST_CASE(polylines, Graph_fixture)
     }
     BOOST_CHECK(!std::getline(in, line));
   }
+}
+
+// Files hold what streams get.
+BOOST_FIXTURE_TEST_CASE(files, Graph_fixture)
+{
+  const auto scalar_map = CGAL::make_property_map(values);
+  const auto arc_map = CGAL::make_property_map(arcs);
+  const auto check = [&](const auto& write) {
+    std::string file = (std::filesystem::temp_directory_path() /
+                        ("reeb_graph_" + std::to_string(std::random_device()())))
+                           .string();
+    std::ofstream(file) << "what was there before";
+    std::ostringstream out;
+    BOOST_CHECK(write(out));
+    BOOST_CHECK(write(file));
+    std::ifstream in(file, std::ios_base::binary);
+    BOOST_CHECK(out.str() == std::string(std::istreambuf_iterator<char>(in), {}));
+    in.close();
+    std::filesystem::remove(file);
+    file += "/of/no/folder";
+    BOOST_CHECK(!write(file));
+  };
+  check([&](auto& out) { return SMRG::IO::write_polylines(out, graph, input.mesh); });
+  check([&](auto& out) { return SMRG::IO::write_graphml(out, graph, input.mesh); });
+  check([&](auto& out) { return SMRG::IO::write_graphviz(out, graph, input.mesh); });
+  check([&](auto& out) { return SMRG::IO::write_persistence_diagram(out, graph); });
+  check([&](auto& out) { return SMRG::IO::write_VTP(out, input.mesh, scalar_map, arc_map); });
+
+  const SMRG::Reeb_graph<Mesh> empty;
+  check([&](auto& out) { return SMRG::IO::write_polylines(out, empty, input.mesh); });
+}
+
+// As XML has them.
+BOOST_FIXTURE_TEST_CASE(graphml_with_infinite_values, Graph_fixture)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  *std::min_element(values.begin(), values.end()) = -infinity;
+  *std::max_element(values.begin(), values.end()) = infinity;
+  SMRG::compute_reeb_graph(input.mesh, CGAL::make_property_map(values), graph);
+  std::ostringstream out;
+  BOOST_CHECK(SMRG::IO::write_graphml(out, graph, input.mesh));
+  BOOST_CHECK(out.str().find(">INF<") != std::string::npos);
+  BOOST_CHECK(out.str().find(">-INF<") != std::string::npos);
+  BOOST_CHECK(out.str().find(">inf<") == std::string::npos);
 }
 
 BOOST_FIXTURE_TEST_CASE(polylines_with_an_error, Graph_fixture)

@@ -365,6 +365,19 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
   // a function that needs an area
   check("point.off", "OFF\n3 1 0\n1 2 3\n1 2 3\n1 2 3\n3 0 1 2\n", {"no area"});
 
+  check("moebius.off",
+        "OFF\n6 6 0\n" + points + "1 1 0\n1 0 1\n" +
+            "3 0 1 2\n3 1 3 2\n3 2 3 4\n3 3 5 4\n3 4 5 1\n3 5 0 1\n",
+        {"one side"});
+  check("fans.off",
+        "OFF\n7 8 0\n" + points + "-1 0 0\n0 -1 0\n0 0 -1\n" +
+            "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n3 0 6 4\n3 0 5 6\n3 4 6 5\n",
+        {"several fans"});
+  check("hello.stl", "hello", {"no vertices"});
+  check_error(folder,
+              "'" + folder.write("four.off", sphere(0)) + "' --function eigenfunction --index 100",
+              {"four.off", "no eigenfunction 100"});
+
   // no errors: an empty mesh, points only, quadrangles
   BOOST_TEST(report(folder, "'" + folder.write("none.off", "OFF\n0 0 0\n") + "'")["nodes"] == 0);
   BOOST_TEST(
@@ -374,6 +387,53 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
       folder,
       "'" + folder.write("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n") + "'");
   BOOST_TEST(quad["faces"] == 2);
+}
+
+// Faces that are oriented anyhow, and lines beside the faces. The order of the vertices stays.
+BOOST_AUTO_TEST_CASE(meshes_that_need_repair_are_read)
+{
+  const Folder folder;
+  Index_mesh mesh = torus(24, 12);
+  std::ostringstream off, obj, values;
+  off << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
+  std::mt19937 rng(1);
+  for (const auto& p : mesh.points) {
+    off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    values << rng() << '\n';
+  }
+  obj << "l 1 2 3\n";
+  for (const auto& t : mesh.triangles) {
+    const std::size_t turn = rng() % 2;
+    off << "3 " << t[0] << ' ' << t[1 + turn] << ' ' << t[2 - turn] << '\n';
+    obj << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+  const std::string options = " --values '" + folder.write("values.txt", values.str()) + "'";
+  const nlohmann::json expected =
+      report(folder, "'" + folder.write("good.off", mesh) + "'" + options);
+  for (const std::string& file :
+       {folder.write("turned.off", off.str()), folder.write("line.obj", obj.str())})
+  {
+    const nlohmann::json found = report(folder, "'" + file + "'" + options);
+    for (const char* key : {"vertices", "faces", "nodes", "arcs", "loops", "minima", "splits"})
+      BOOST_TEST(found[key] == expected[key], file << ", " << key);
+  }
+}
+
+// What is likely to surprise is said.
+BOOST_AUTO_TEST_CASE(text_report)
+{
+  const Folder folder;
+  const std::string mesh = folder.write("cracked.off",
+                                        "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n0 1 0\n"
+                                        "1 1 0\n5 5 5\n3 0 1 2\n3 3 5 4\n");
+  const Run r = run(folder, "'" + mesh + "' --function height --axis 1,0.1,0");
+  BOOST_TEST(r.status == 0);
+  for (const char* text : {"7 vertices, 2 faces, 3 components, 2 borders\n",
+                           "at 5 different points",
+                           "5 nodes, 2 arcs, 0 loops",
+                           "isolated 1, degenerate 0"})
+    BOOST_TEST(r.out.find(text) != std::string::npos, r.out << " does not say " << text);
 }
 
 BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)

@@ -1161,6 +1161,15 @@ BOOST_AUTO_TEST_CASE(bad_thresholds_are_errors_and_change_nothing)
   BOOST_TEST(std::vector<std::size_t>(c.arcs.begin(), c.arcs.end()) == arcs_before,
              boost::test_tools::per_element());
   BOOST_TEST(num_vertices(graph) == nodes);
+  // another function
+  auto other_values = c.mesh.add_property_map<Vertex, double>("v:other").first;
+  for (const Vertex v : c.mesh.vertices())
+    other_values[v] = 1 - c.values[v];
+  BOOST_CHECK_THROW(SMRG::simplify_reeb_graph(
+                        c.mesh, other_values, graph, SMRG::parameters::vertex_arc_map(c.arcs)),
+                    SMRG::Reeb_graph_error);
+  BOOST_TEST(std::vector<std::size_t>(c.arcs.begin(), c.arcs.end()) == arcs_before,
+             boost::test_tools::per_element());
   // everything goes but one arc
   SMRG::simplify_reeb_graph(c.mesh,
                             c.values,

@@ -3,7 +3,10 @@
 
 #include "types.h"
 
+#include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -42,11 +45,29 @@ private:
   std::streambuf* m_buffer;
 };
 
-// Why a polygon soup is no 2-manifold.
-inline std::string defect_of(const std::vector<std::vector<std::size_t>>& polygons)
+struct Polygon_soup
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+};
+
+// CGAL's reader of OBJ files stops at elements that it does not know, such as lines.
+inline bool read_obj(const std::string& file, Polygon_soup& soup)
+{
+  std::ifstream in(file);
+  std::stringstream points_and_faces;
+  for (std::string line; std::getline(in, line);)
+    if (line.size() > 1 && (line[0] == 'v' || line[0] == 'f') && std::isspace(line[1] & 0x7f))
+      points_and_faces << line << '\n';
+  return CGAL::IO::read_OBJ(points_and_faces, soup.points, soup.polygons);
+}
+
+// What keeps a polygon soup from being a 2-manifold, however its faces are oriented; empty if
+// nothing is found.
+inline std::string defect_of(const Polygon_soup& soup)
 {
   std::map<std::pair<std::size_t, std::size_t>, int> faces_of_edge;
-  for (const std::vector<std::size_t>& polygon : polygons) {
+  for (const std::vector<std::size_t>& polygon : soup.polygons) {
     if (std::set<std::size_t>(polygon.begin(), polygon.end()).size() < polygon.size())
       return "a face has the same vertex twice";
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -60,7 +81,22 @@ inline std::string defect_of(const std::vector<std::vector<std::size_t>>& polygo
       return text.str();
     }
   }
-  return "its faces are not oriented consistently, or several fans of faces meet in a vertex";
+  return "";
+}
+
+// Makes a mesh of a polygon soup whose faces need not be oriented consistently. Returns why that is
+// not possible, or nothing.
+inline std::string make_mesh(Polygon_soup& soup, Mesh& mesh)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const std::string defect = defect_of(soup);
+  if (!defect.empty())
+    return defect;
+  // it doubles vertices where it cannot do otherwise, and says so
+  if (!PMP::orient_polygon_soup(soup.points, soup.polygons))
+    return "it has only one side, or several fans of faces meet in a vertex";
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  return "";
 }
 
 inline Mesh read_mesh(const std::string& file)
@@ -83,20 +119,25 @@ inline Mesh read_mesh(const std::string& file)
     const Silence silence;
     is_read = CGAL::IO::read_polygon_mesh(file, mesh);
     if (!is_read) {
-      std::vector<Kernel::Point_3> points;
-      std::vector<std::vector<std::size_t>> polygons;
-      if (CGAL::IO::read_polygon_soup(file, points, polygons))
-        defect = defect_of(polygons);
+      mesh.clear();
+      Polygon_soup soup;
+      is_read = type == ".obj" ? read_obj(file, soup)
+                               : CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons);
+      if (is_read)
+        defect = make_mesh(soup, mesh);
     }
   } catch (const std::exception&) {
     is_read = false; // as any other failure to read
   }
-  if (!is_read && !defect.empty())
-    throw File_error(file, "is not an orientable 2-manifold: " + defect);
   if (!is_read)
     throw File_error(file,
                      "cannot be read: it is damaged or incomplete, or a coordinate is not a "
                      "finite number");
+  if (!defect.empty())
+    throw File_error(file, "is not an orientable 2-manifold: " + defect);
+  // files of these types do not say how many vertices they have
+  if ((type == ".obj" || type == ".stl") && mesh.number_of_vertices() == 0)
+    throw File_error(file, "holds no vertices");
 
   if (!CGAL::is_triangle_mesh(mesh) && !CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
     throw File_error(file, "has a face that cannot be split into triangles");

@@ -60,9 +60,9 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "the eigenfunction of the K-th smallest eigenvalue, from 1 on")(
       "values",
       po::value(&options.values_file)->value_name("FILE"),
-      "a function of your own instead: one number per vertex in the order of the mesh file, as "
-      "text, "
-      "or as little-endian doubles if the name ends in .f64")(
+      "a function of your own instead: one number per vertex in the order of the mesh file (of "
+      "STL files: in the order in which the points are met first), as text, or as little-endian "
+      "doubles if the name ends in .f64")(
       "simplify",
       po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
       "cancel branches shorter than this fraction of the function's range")(

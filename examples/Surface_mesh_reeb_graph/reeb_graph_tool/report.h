@@ -3,17 +3,23 @@
 
 #include "types.h"
 
+#include <CGAL/Polygon_mesh_processing/border.h>
+
 #include <boost/range/iterator_range.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <ostream>
+#include <set>
+#include <string>
+#include <vector>
 
 struct Node_counts
 {
   std::size_t minima = 0, maxima = 0, splits = 0, merges = 0;
-  std::size_t degenerate = 0; // and isolated ones
+  std::size_t isolated = 0, degenerate = 0;
 };
 
 inline Node_counts count_nodes(const Graph& graph)
@@ -33,7 +39,10 @@ inline Node_counts count_nodes(const Graph& graph)
     case SMRG::MERGE_SADDLE:
       ++counts.merges;
       break;
-    default:
+    case SMRG::ISOLATED:
+      ++counts.isolated;
+      break;
+    case SMRG::DEGENERATE:
       ++counts.degenerate;
     }
   }
@@ -60,7 +69,7 @@ inline void print_json(std::ostream& out, const Result& result)
   report["maxima"] = counts.maxima;
   report["splits"] = counts.splits;
   report["merges"] = counts.merges;
-  report["degenerate"] = counts.degenerate;
+  report["degenerate"] = counts.degenerate + counts.isolated; // all others
   report["feature_points"] = nlohmann::ordered_json::array();
   for (vertex_descriptor v : result.feature_points)
     report["feature_points"].push_back(static_cast<std::size_t>(v));
@@ -74,18 +83,42 @@ inline void print_json(std::ostream& out, const Result& result)
   out << report.dump(2) << '\n';
 }
 
+// "1 arc", "2 arcs"
+inline std::string counted(std::size_t number, const std::string& what)
+{
+  return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
+}
+
+inline std::size_t number_of_borders(const Mesh& mesh)
+{
+  std::vector<Mesh::Halfedge_index> borders;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  return borders.size();
+}
+
+inline std::size_t number_of_points(const Mesh& mesh)
+{
+  return std::set<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()).size();
+}
+
 inline void print_text(std::ostream& out, const Options& options, const Result& result)
 {
   const Node_counts counts = count_nodes(result.graph);
-  out << options.mesh_file << ": " << result.mesh.number_of_vertices() << " vertices, "
-      << result.mesh.number_of_faces() << " faces, " << result.number_of_components
-      << (result.number_of_components == 1 ? " component\n" : " components\n");
-  out << "Reeb graph: " << num_vertices(result.graph) << " nodes, " << num_edges(result.graph)
-      << " arcs, " << number_of_loops(result)
-      << (number_of_loops(result) == 1 ? " loop\n" : " loops\n");
-  out << "Nodes: minima " << counts.minima << ", maxima " << counts.maxima << ", splits "
-      << counts.splits << ", merges " << counts.merges << ", degenerate " << counts.degenerate
+  const std::size_t vertices = result.mesh.number_of_vertices();
+  const std::size_t points = number_of_points(result.mesh);
+  out << options.mesh_file << ": " << vertices << (vertices == 1 ? " vertex" : " vertices") << ", "
+      << counted(result.mesh.number_of_faces(), "face") << ", "
+      << counted(result.number_of_components, "component") << ", "
+      << counted(number_of_borders(result.mesh), "border") << '\n';
+  if (points < vertices)
+    out << "Note: the vertices lie at " << points
+        << " different points only; faces are neighbors only if they share vertices\n";
+  out << "Reeb graph: " << counted(num_vertices(result.graph), "node") << ", "
+      << counted(num_edges(result.graph), "arc") << ", " << counted(number_of_loops(result), "loop")
       << '\n';
+  out << "Nodes: minima " << counts.minima << ", maxima " << counts.maxima << ", splits "
+      << counts.splits << ", merges " << counts.merges << ", isolated " << counts.isolated
+      << ", degenerate " << counts.degenerate << '\n';
   if (!result.feature_points.empty())
     out << "Feature points: " << result.feature_points.size() << '\n';
   out << "Seconds: read " << result.seconds.read << ", eigenbasis " << result.seconds.eigenbasis

@@ -24,8 +24,9 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The type of a node, from the numbers (*down*, *up*) of components of the level set that touch its
-vertex just below and just above.
+The type of a node, from the numbers (*down*, *up*) of arcs that end there from below, and that begin
+there: in a graph that has not been simplified or unfolded, of components of the level set that touch
+the vertex just below and just above, but for those that vanish with pairs of the same plateau.
 */
 enum Reeb_node_type {
   MINIMUM,      ///< (0, 1): a component appears
@@ -111,7 +112,8 @@ struct Reeb_arc
   /// the vertices of the mesh that belong to the arc, in increasing order; filled on request only,
   /// with the named parameter `collect_arc_vertices`. Every vertex that has an edge belongs to
   /// exactly one arc, the vertex of a node to the first arc that begins there, or else to the first
-  /// that ends there.
+  /// that ends there. The values lie between those of the two nodes; not so those of the vertices
+  /// of branches that `simplify_reeb_graph()` has cancelled.
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices = {};
 };
 

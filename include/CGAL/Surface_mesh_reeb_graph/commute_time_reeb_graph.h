@@ -93,8 +93,6 @@ limb, in any pose.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\pre `CGAL::is_triangle_mesh(tmesh)`
-
 \throws Reeb_graph_error as the functions that it calls; all outputs are then left as they were
 
 \sa `compute_reeb_graph()`

@@ -206,7 +206,7 @@ the families of components in between (\cgalCite{el_khoury_2012}, Sections 3.3 a
 is extended linearly over the triangles; the vertices are compared by `Vertex_order`, exactly.
 
 The mesh may have borders (the components of level sets are then open curves), several connected
-components, isolated vertices (a node each) and degenerate faces: only its connectivity and the
+components, isolated vertices (a node each) and faces without area: only its connectivity and the
 values count. On a closed connected mesh of genus *g* all of whose saddles are simple the graph has
 exactly *g* loops. Pairs of an extremum and a saddle of the same plateau are no features and are
 cancelled: a constant function on a sphere has one minimum, one maximum and one arc.
@@ -214,8 +214,7 @@ cancelled: a constant function on a sphere has one minimum, one maximum and one 
 Infinite values are ordered as such. An empty mesh gives an empty graph.
 
 Calls for the same mesh may run in several threads at once. (For a polyhedron whose items have ids
-that are not set,
-\cgal sets them at the first use: that call must be over before others begin.)
+that are not set, \cgal sets them at the first use: that call must be over before others begin.)
 
 The result is the same for all algorithms and any number of threads; for distinct values it does not
 depend on how vertices and faces are numbered either.
@@ -259,7 +258,7 @@ depend on how vertices and faces are numbered either.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{unfold_multiple_saddles}
-    \cgalParamDescription{whether a vertex in the interior at which three or more components meet the level on one side, around the vertex, becomes several nodes, each a simple saddle: as if the vertex were several ones, infinitesimally apart. On a closed connected surface of genus *g* the graph of any function then has exactly *g* loops; otherwise a multiple saddle may hide some. The nodes have the same `Reeb_node::vertex`}
+    \cgalParamDescription{whether a multiple saddle, a vertex in the interior whose lower neighbors form three or more separate parts of the ring of all neighbors, becomes several nodes, each a simple saddle: as if the vertex were several ones, infinitesimally apart. On a closed connected surface of genus *g* the graph of any function then has exactly *g* loops; otherwise a multiple saddle may hide some. The nodes have the same `Reeb_node::vertex`}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`: a vertex is one node at most}
   \cgalParamNEnd
@@ -276,12 +275,11 @@ depend on how vertices and faces are numbered either.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(*n* log *n*) time for *n* vertices at most, and O(*n* + *t* log *t*) time if *t* of them are
-critical and there are few loops; O(*n* log *n*) with any of the maps that are filled. At its peak
-it needs about 10 to 20 bytes per vertex beyond its output, 45 for the sweep, if the vertices of the
-mesh have indices and no map is filled (\ref reeb_graph_performance).
-
-\pre `CGAL::is_triangle_mesh(tmesh)`
+Takes O(*n* log *n*) time for *n* vertices and faces at most, and O(*n* + *t* log *t*) time if *t*
+vertices are critical and there are few loops; O(*n* log *n*) with any of the maps that are filled.
+At its peak it needs about 10 bytes per vertex beyond its output for a smooth function, and up to
+about 50 if the function is mere noise or the surface has many handles, if the vertices of the mesh
+have indices and no map is filled (\ref reeb_graph_performance).
 
 \throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces
         around a vertex form several closed fans, or if the arcs cannot be numbered in the value
@@ -346,11 +344,12 @@ void compute_reeb_graph(const TriangleMesh& tmesh,
     internal::cancel_zero_persistence_pairs(list, tmesh, vertex_index_map, order);
 
   if constexpr (has_vertex_arc_map)
-    internal::check_arc_number_type(
-        list.arcs.size(), internal::get_own_parameter(np, internal::tags::vertex_arc_map));
-  if constexpr (has_face_arc_map)
     internal::check_arc_number_type(list.arcs.size(),
-                                    internal::get_own_parameter(np, internal::tags::face_arc_map));
+                                    internal::get_own_parameter(np, internal::tags::vertex_arc_map),
+                                    "vertex");
+  if constexpr (has_face_arc_map)
+    internal::check_arc_number_type(
+        list.arcs.size(), internal::get_own_parameter(np, internal::tags::face_arc_map), "face");
 
   using Node = internal::Node_bundle<MutableGraph>;
   using Arc = internal::Arc_bundle<MutableGraph>;

@@ -35,7 +35,8 @@ namespace Surface_mesh_reeb_graph {
 returns a polyline in space for an arc of a Reeb graph: from the lower node, a point of the surface,
 through the barycenters of the arc's vertices, in groups of increasing value and equal size, to the
 upper node. Where level sets are round, the barycenters lie inside the shape. (The arc's vertices
-include that of the lower node if this is its first arc.)
+include that of the lower node if this is its first arc, and after a simplification those of
+branches that hung on the arc, which may lie above the upper node, or below the lower one.)
 
 \tparam Graph a graph filled by `compute_reeb_graph()`
 \tparam TriangleMesh a model of `VertexListGraph`

@@ -147,9 +147,7 @@ public:
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  Takes O(n log n) time for *n* vertices, and about 16 bytes per vertex.
-
-  \pre `CGAL::is_triangle_mesh(tmesh)`
+  Takes O(n log n) time for *n* vertices and faces, and about 16 bytes per vertex.
 
   \throws Reeb_graph_error if a face is not a triangle, if a value is not a number, or if the faces
           around a vertex form several closed fans
@@ -536,8 +534,6 @@ class `Level_set_components`.
 \cgalNamedParamsEnd
 
 \return the iterator past the components
-
-\pre `CGAL::is_triangle_mesh(tmesh)`
 
 \throws Reeb_graph_error if a face is not a triangle, if a value is not a number, or if the faces
         around a vertex form several closed fans; nothing has been written then

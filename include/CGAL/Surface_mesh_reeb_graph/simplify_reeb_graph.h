@@ -132,7 +132,7 @@ new.
     \cgalParamExtra{a fraction of the range of the function, for each connected component on its own (of the values of its nodes, those that are infinite left out), unless `threshold_is_absolute` is `true`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_leaves}
-    \cgalParamDescription{if more minima and maxima than this number are left, pairs are cancelled until no more are, or until those are left that always stay: two for every component that is not a single node}
+    \cgalParamDescription{if more leaves, nodes without an arc below or without one above, than this number are left, pairs are cancelled until no more are, or until those are left that always stay: two for every component that is not a single node}
     \cgalParamType{an integer type, not negative}
     \cgalParamDefault{no limit}
     \cgalParamExtra{Pairs of different components are compared by their persistence as a fraction of the range of their component, unless `threshold_is_absolute` is `true`. The pairs below `persistence_threshold`, 0 if it is not given, are cancelled in any case.}
@@ -149,7 +149,7 @@ new.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_arc_map}
-    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch that is a single arc go to the arc that it hung on, those of other branches and of loops to the points of the same height}
+    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: the vertices of a cancelled branch that is a single arc go to an arc of the node that it hung on, whatever their values; those of other branches and of loops to the points of the same height}
     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an integer type as value type}
     \cgalParamDefault{no map}
     \cgalParamExtra{`Reeb_arc::vertices` is brought up to date as well if it has been filled.}
@@ -174,8 +174,8 @@ anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n 
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
-        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph and maps
-        do not belong together; `graph` and the maps are then left as they were. (If there is not
+        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph,
+        function and maps do not belong together; `graph` and the maps are then left as they were. (If there is not
         enough memory, `std::bad_alloc` is thrown, and the maps are left as they were, the graph
         too or empty.)
 
@@ -227,6 +227,7 @@ void simplify_reeb_graph(const TriangleMesh& tmesh,
   const bool has_arc_vertices =
       std::any_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return !arc.vertices.empty(); });
   if (has_arc_vertices || has_vertex_arc_map || has_face_arc_map) {
+    internal::check_function(nodes, scalar_map);
     const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
     using VIM = std::decay_t<decltype(vertex_index_map)>;
     const Vertex_order<TriangleMesh, VertexScalarMap, VIM> order(

@@ -45,14 +45,15 @@ struct No_plateaus
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The strict total order of the vertices that turns any scalar function into a Morse function
-(\cgalCite{el_khoury_2012}, Section 4.3 and Eq. 13). Vertices are compared
+The strict total order of the vertices that turns any scalar function into one with distinct values
+(\cgalCite{el_khoury_2012}, Section 4.3 and Eq. 13), and so into a Morse function, but for multiple
+saddles, which stay. Vertices are compared
 
 1. by their value, exactly: never with a tolerance;
 2. inside a plateau (vertices of equal value that are connected by edges) by the number of edges,
    along the plateau, from its lower border: the vertices of the plateau that have a lower neighbor.
-   A plateau without a lower border counts from one of its vertices. So a plateau has no local
-   minimum of its own, but for the one that it is if it has no lower border;
+   A plateau without a lower border counts from one of its vertices, which is the only local minimum
+   that a plateau can have;
 3. by their index.
 
 The object can be copied cheaply. It is a model of `StrictWeakOrdering` for vertices and can be
@@ -333,8 +334,8 @@ void vertex_ranks(const TriangleMesh& tmesh,
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-turns a scalar function into a Morse function (\cgalCite{el_khoury_2012}, Eq. 13): the vertex of
-rank *i* in the order of `Vertex_order` gets the value *i* / *n*, where *n* is the number of
+turns a scalar function into one with distinct values (\cgalCite{el_khoury_2012}, Eq. 13): the vertex
+of rank *i* in the order of `Vertex_order` gets the value *i* / *n*, where *n* is the number of
 vertices.
 
 As in the paper, *i* counts from 0: the values are 0, 1 / *n*, ..., (*n* - 1) / *n*. All of them are

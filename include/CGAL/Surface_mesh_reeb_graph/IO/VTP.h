@@ -22,9 +22,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <fstream>
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -107,6 +109,36 @@ bool write_VTP(std::ostream& out,
     out << 3 * i << '\n';
   out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
   return out.good();
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes a mesh with a function and the arcs of its vertices to a VTK XML file (`.vtp`), which is
+replaced if it exists.
+
+\param filename the name of the file
+\param tmesh the mesh
+\param values the function
+\param arcs the arc numbers
+\param np named parameters
+
+\return `true` if the file could be written
+*/
+template <class TriangleMesh,
+          class VertexScalarMap,
+          class VertexArcMap,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool write_VTP(const std::string& filename,
+               const TriangleMesh& tmesh,
+               VertexScalarMap values,
+               VertexArcMap arcs,
+               const NamedParameters& np = CGAL::parameters::default_values())
+{
+  std::ofstream out(filename, std::ios_base::binary);
+  IO::write_VTP(out, tmesh, values, arcs, np);
+  out.close();
+  return !out.fail();
 }
 
 } // namespace IO

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_GRAPH_FORMATS_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/write_file.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -23,6 +24,7 @@
 #include <boost/property_map/dynamic_property_map.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
+#include <cmath>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -33,7 +35,8 @@ namespace CGAL {
 namespace Surface_mesh_reeb_graph {
 namespace internal {
 
-// A number with all its digits: boost::dynamic_properties alone writes six.
+// A number with all its digits: boost::dynamic_properties alone writes six. Infinite ones are
+// written as XML has them.
 template <class Key, class Function>
 class Exact_number_property : public boost::dynamic_property_map
 {
@@ -43,9 +46,12 @@ public:
   boost::any get(const boost::any& key) override { return m_function(boost::any_cast<Key>(key)); }
   std::string get_string(const boost::any& key) override
   {
+    const double number = m_function(boost::any_cast<Key>(key));
+    if (std::isinf(number))
+      return number < 0 ? "-INF" : "INF";
     std::ostringstream text;
     const Exact_output exact_output(text);
-    text << m_function(boost::any_cast<Key>(key));
+    text << number;
     return text.str();
   }
   void put(const boost::any&, const boost::any&) override
@@ -162,6 +168,30 @@ bool write_graphml(std::ostream& out,
 /*!
 \ingroup PkgSurfaceMeshReebGraphIO
 
+writes a Reeb graph as GraphML to a file, which is replaced if it exists.
+
+\param filename the name of the file
+\param graph the Reeb graph
+\param tmesh the mesh
+\param np named parameters, as for `write_graphml()`
+
+\return `true` if the file could be written
+*/
+template <class Graph,
+          class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool write_graphml(const std::string& filename,
+                   const Graph& graph,
+                   const TriangleMesh& tmesh,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::write_file(filename,
+                              [&](std::ostream& out) { IO::write_graphml(out, graph, tmesh, np); });
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
 writes a Reeb graph in the DOT language of Graphviz, with the writer of Boost.Graph and the
 properties that `write_graphml()` writes.
 
@@ -191,6 +221,30 @@ bool write_graphviz(std::ostream& out,
                       }));
   boost::write_graphviz_dp(out, graph, properties, "id");
   return out.good();
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes a Reeb graph in the DOT language to a file, which is replaced if it exists.
+
+\param filename the name of the file
+\param graph the Reeb graph
+\param tmesh the mesh
+\param np named parameters, as for `write_graphml()`
+
+\return `true` if the file could be written
+*/
+template <class Graph,
+          class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool write_graphviz(const std::string& filename,
+                    const Graph& graph,
+                    const TriangleMesh& tmesh,
+                    const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::write_file(
+      filename, [&](std::ostream& out) { IO::write_graphviz(out, graph, tmesh, np); });
 }
 
 } // namespace IO

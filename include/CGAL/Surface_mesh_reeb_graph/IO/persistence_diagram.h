@@ -11,14 +11,13 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_PERSISTENCE_DIAGRAM_H
 
 #include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/write_file.h>
 #include <CGAL/Surface_mesh_reeb_graph/persistence.h>
 
 #include <CGAL/number_utils.h>
 
-#include <fstream>
 #include <iterator>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -98,12 +97,8 @@ writes the persistence pairs of a Reeb graph to a file, which is replaced if it 
 template <class Graph>
 bool write_persistence_diagram(const std::string& filename, const Graph& graph)
 {
-  std::ostringstream text;
-  write_persistence_diagram(text, graph);
-  std::ofstream out(filename, std::ios_base::binary);
-  out << text.str();
-  out.close();
-  return !out.fail();
+  return internal::write_file(
+      filename, [&](std::ostream& out) { IO::write_persistence_diagram(out, graph); });
 }
 
 } // namespace IO

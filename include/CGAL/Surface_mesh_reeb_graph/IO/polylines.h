@@ -12,11 +12,13 @@
 
 #include <CGAL/Surface_mesh_reeb_graph/embed_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/exact_output.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/write_file.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <ostream>
+#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_reeb_graph {
@@ -56,6 +58,32 @@ bool write_polylines(std::ostream& out,
     out << '\n';
   }
   return out.good();
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes the arcs of a Reeb graph as polylines to a file, which is replaced if it exists.
+
+\param filename the name of the file
+\param graph the Reeb graph
+\param tmesh the mesh
+\param np named parameters, as for `arc_polyline()`
+
+\return `true` if the file could be written
+
+\throws Reeb_graph_error as `arc_polyline()`; the file is then left as it was
+*/
+template <class Graph,
+          class TriangleMesh,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+bool write_polylines(const std::string& filename,
+                     const Graph& graph,
+                     const TriangleMesh& tmesh,
+                     const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return internal::write_file(
+      filename, [&](std::ostream& out) { IO::write_polylines(out, graph, tmesh, np); });
 }
 
 } // namespace IO

@@ -43,6 +43,18 @@ void check_arc_numbers(const Range& keys,
   }
 }
 
+// Throws if the values of the nodes are not those of a function.
+template <class Node, class VertexScalarMap>
+void check_function(const std::vector<Node>& nodes, VertexScalarMap scalar_map)
+{
+  for (const Node& node : nodes) {
+    auto value = node.value;
+    value = get(scalar_map, node.vertex); // as compute_reeb_graph() does
+    if (!(value == node.value))
+      throw Reeb_graph_error("the Reeb graph is not that of the function");
+  }
+}
+
 // Vertices on their way from arc to arc.
 template <class Vertex>
 struct Vertices_on_arcs

@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -138,14 +139,15 @@ void write_graph(MutableGraph& graph,
 }
 
 // Throws if the value type of the map cannot hold the numbers of the arcs and that of no arc.
-template <class VertexArcMap>
-void check_arc_number_type(std::size_t number_of_arcs, const VertexArcMap&)
+template <class ArcMap>
+void check_arc_number_type(std::size_t number_of_arcs, const ArcMap&, const std::string& item)
 {
-  using Number = typename boost::property_traits<VertexArcMap>::value_type;
+  using Number = typename boost::property_traits<ArcMap>::value_type;
   using Limits = std::numeric_limits<Number>;
   const std::size_t largest = static_cast<std::size_t>((Limits::max)());
   if (number_of_arcs > (Limits::is_signed ? largest + 1 : largest))
-    throw Reeb_graph_error("the value type of the vertex arc map is too small to number the arcs");
+    throw Reeb_graph_error("the value type of the " + item +
+                           " arc map is too small to number the arcs");
 }
 
 // Writes the number of every vertex's arc to the user's map.
