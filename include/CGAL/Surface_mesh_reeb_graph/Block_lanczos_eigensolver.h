@@ -45,14 +45,14 @@ factor of *L + sigma M*, and are orthogonalized against all others (\cgalCite{gr
 basis has a bounded number of vectors: when it is full, it is replaced by the approximations of the
 eigenvectors wanted and some more, and continued (\cgalCite{wu_2000}).
 
-**Multiple eigenvalues** of any multiplicity are found completely: a Krylov space of eight random
+<b>Multiple eigenvalues</b> of any multiplicity are found completely: a Krylov space of eight random
 vectors holds up to eight vectors of every eigenspace; if eight eigenvalues coincide, the space
 orthogonal to those found is searched from new random vectors. The chance to miss one is below
 1e-10.
 
-**Complexity.** One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of any
-size. Beside the factor and the result it holds about three vectors for every pair wanted, 8 bytes
-per vertex each.
+<b>Complexity.</b> One sparse factorization, and some 250 to 350 solves for 50 pairs on meshes of
+any size. Beside the factor and the result it holds about three vectors for every pair wanted, 8
+bytes per vertex each.
 
 \tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
         `CGAL::Eigen_solver_traits` with `Supernodal_cholesky`

@@ -53,7 +53,7 @@ and the diffusion and commute-time distances that they give.
 
 The eigenpairs are computed once, by the constructor; distances are cheap afterwards.
 
-**Operator.** *L* is the cotangent stiffness matrix (symmetric, positive semi-definite,
+<b>Operator.</b> *L* is the cotangent stiffness matrix (symmetric, positive semi-definite,
 `(cot a + cot b) / 2` for an edge with opposite angles *a* and *b*) and *M* the diagonal matrix of
 mixed Voronoi areas (\cgalCite{meyer_2003}), which sum to the surface area. The eigenpairs solve *L
 psi = lambda M psi*, the eigenfunctions are *M*-orthonormal: they have the unit of an inverse
@@ -62,26 +62,26 @@ matrices are made from edge lengths that are increased by the least amount, usua
 every triangle a margin in its triangle inequalities \cgalCite{sharp_2020}, so that degenerate faces
 do no harm.
 
-**Components.** Every connected component of the mesh has a basis of its own. The constant
+<b>Components.</b> Every connected component of the mesh has a basis of its own. The constant
 eigenfunction of eigenvalue zero is left out: it drops out of every difference. A component with too
 few vertices has all the eigenpairs that there are; one without extent, as an isolated vertex, has
 none.
 
-**Number of eigenpairs.** How many pairs are used is part of the definition of the distances, not an
-accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it is
-extended up to the next gap, unless `extend_to_gap` says otherwise. If a component has so few
+<b>Number of eigenpairs.</b> How many pairs are used is part of the definition of the distances, not
+an accuracy. The basis is never cut inside a multiple eigenvalue, as symmetric shapes have them: it
+is extended up to the next gap, unless `extend_to_gap` says otherwise. If a component has so few
 vertices that all its pairs are used, those with eigenvalues more than some million times the
 smallest one, which degenerate faces produce, are left out.
 
-**Normalization.** In the distances, every component is scaled to area 1 and its eigenvalues are
+<b>Normalization.</b> In the distances, every component is scaled to area 1 and its eigenvalues are
 divided by the smallest one (which is not zero), as the paper normalizes the spectrum. Hence
 distances and times have no unit, and nothing depends on the size of the shape.
 
-**Certificates.** Whatever the solver claims, the residual of every eigenpair is computed and
+<b>Certificates.</b> Whatever the solver claims, the residual of every eigenpair is computed and
 compared with the tolerance, and the only null vector of every component is the constant one.
 `residual()`, `orthonormality_error()` and `null_space_residual()` tell what was found.
 
-**Memory.** With `float` as the number type of the eigenfunctions the basis takes half of the
+<b>Memory.</b> With `float` as the number type of the eigenfunctions the basis takes half of the
 memory, and distances over the whole mesh take less time. All is computed in `double` nevertheless,
 and only the eigenfunctions are rounded in the end, each value by a relative error of `6e-8` at
 most; distances get an error of about `1e-7` times the largest one.

@@ -24,9 +24,10 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The type of a node, from the numbers (*down*, *up*) of arcs that end there from below, and that begin
-there: in a graph that has not been simplified or unfolded, of components of the level set that touch
-the vertex just below and just above, but for those that vanish with pairs of the same plateau.
+The type of a node, from the numbers (*down*, *up*) of arcs that end there from below, and that
+begin there: in a graph that has not been simplified or unfolded, of components of the level set
+that touch the vertex just below and just above, but for those that vanish with pairs of the same
+plateau.
 */
 enum Reeb_node_type {
   MINIMUM,      ///< (0, 1): a component appears

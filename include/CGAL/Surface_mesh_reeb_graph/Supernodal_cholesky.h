@@ -72,12 +72,12 @@ sparse, by the multifrontal method on supernodes, which needs no other library t
 Like those, it keeps no pointer to the matrix. All functions that are `const`, and `solve()` is one
 of them, may be called by several threads at the same time. Results are the same in every run.
 
-**Failure.** Where a pivot is not positive and finite, because the matrix is not positive definite
-or has entries that are not finite, `info()` is `Eigen::NumericalIssue`. Rounding decides about
-matrices that are positive semi-definite, or nearly. If the factorization has not succeeded,
+<b>Failure.</b> Where a pivot is not positive and finite, because the matrix is not positive
+definite or has entries that are not finite, `info()` is `Eigen::NumericalIssue`. Rounding decides
+about matrices that are positive semi-definite, or nearly. If the factorization has not succeeded,
 solutions are zero.
 
-**Complexity.** As the number of entries of the factor, *O(n log n)* for a surface mesh with *n*
+<b>Complexity.</b> As the number of entries of the factor, *O(n log n)* for a surface mesh with *n*
 vertices and a good ordering, in memory and for every solution; as *O(n^1.5)* for the factorization.
 Solutions for 8 right-hand sides read the factor once and take little longer than for one.
 

@@ -174,10 +174,10 @@ anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n 
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
-        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph,
-        function and maps do not belong together; `graph` and the maps are then left as they were. (If there is not
-        enough memory, `std::bad_alloc` is thrown, and the maps are left as they were, the graph
-        too or empty.)
+        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph, function
+        and maps do not belong together; `graph` and the maps are then left as they were. (If there
+        is not enough memory, `std::bad_alloc` is thrown, and the maps are left as they were, the
+        graph too or empty.)
 
 \sa `compute_reeb_graph()`
 \sa `persistence_pairs()`

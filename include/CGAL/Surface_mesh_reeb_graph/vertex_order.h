@@ -334,9 +334,9 @@ void vertex_ranks(const TriangleMesh& tmesh,
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
 
-turns a scalar function into one with distinct values (\cgalCite{el_khoury_2012}, Eq. 13): the vertex
-of rank *i* in the order of `Vertex_order` gets the value *i* / *n*, where *n* is the number of
-vertices.
+turns a scalar function into one with distinct values (\cgalCite{el_khoury_2012}, Eq. 13): the
+vertex of rank *i* in the order of `Vertex_order` gets the value *i* / *n*, where *n* is the number
+of vertices.
 
 As in the paper, *i* counts from 0: the values are 0, 1 / *n*, ..., (*n* - 1) / *n*. All of them are
 different, and `Vertex_order` gives the same order for them as for the function, whatever the
