@@ -210,7 +210,8 @@ inline void write_tables(std::ostream& out, const Results& results)
   write_scaling(out, results);
   out << '\n';
   write_targets(out, results);
-  out << "\nSeconds that Recon (Doraiswamy and Natarajan, 2013) and the Topology ToolKit (Gueunet et al., "
+  out << "\nSeconds that Recon (Doraiswamy and Natarajan, 2013) and the Topology ToolKit (Gueunet "
+         "et al., "
          "2019) took, measured before, on another machine of this kind:\n\n"
          "| mesh, triangles, function | Recon | TTK (FTR) |\n"
          "|---|--:|--:|\n"
