@@ -148,7 +148,7 @@ inline void write_targets(std::ostream& out, const Results& results)
   for (const auto& [key, row] : results)
     if (is_large(row))
       families.insert(std::get<0>(key));
-  const auto line = [&out](const char* what, const char* target, const auto& measured) {
+  const auto line = [&](const char* what, const char* target, const auto& measured) {
     out << "| " << what << " | " << target << " |";
     for (const std::size_t family : families) {
       const double number = measured(family);

@@ -1,4 +1,4 @@
-// The arcs of the vertices as a segmentation of the shape, written as a coloured PLY file.
+// The arcs of the vertices as a segmentation of the shape, written as a colored PLY file.
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>

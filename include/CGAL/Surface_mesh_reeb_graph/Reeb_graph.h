@@ -24,10 +24,9 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The type of a node, from the numbers (*down*, *up*) of arcs that end there from below, and that
-begin there: in a graph that has not been simplified or unfolded, of components of the level set
-that touch the vertex just below and just above, but for those that vanish with pairs of the same
-plateau.
+The type of a node, from the numbers (*down*, *up*) of arcs that end and begin there. In a graph
+that has been neither simplified nor unfolded, these are the numbers of components of the level set
+just below and just above the vertex that touch it, less those cancelled inside a plateau.
 */
 enum Reeb_node_type {
   MINIMUM,      ///< (0, 1): a component appears
@@ -35,7 +34,7 @@ enum Reeb_node_type {
   SPLIT_SADDLE, ///< (1, 2): a component splits in two (a bifurcation)
   MERGE_SADDLE, ///< (2, 1): two components merge (a junction)
   ISOLATED,     ///< (0, 0): a vertex without edges
-  DEGENERATE    ///< anything else: more than two components on one side, or two on both
+  DEGENERATE    ///< anything else, as (1, 3), (2, 2), or (0, 2) at a border vertex of several fans
 };
 
 /// \ingroup PkgSurfaceMeshReebGraphClasses

@@ -20,9 +20,9 @@ The algorithms of `compute_reeb_graph()`, for its named parameter `algorithm`. A
 same graph.
 */
 enum class Reeb_graph_algorithm {
-  /// `CUTTING`, unless that would take too long: then `SWEEP`; on a mesh without border, and if no
-  /// map is filled, only through the levels between which loops may be closed, as long as that is
-  /// less than half of the vertices
+  /// `CUTTING`, unless that would take too long: then `SWEEP`; on a mesh without border, and if
+  /// neither a map nor `Reeb_arc::vertices` is filled, only through the levels between which loops
+  /// may be closed, as long as these hold no more than half of the vertices
   AUTOMATIC,
   /// goes from the critical vertices along monotone paths, and cuts the surface where loops are
   /// closed. Takes O(*n* + *t* log *t*) time for *n* vertices, *t* of which are critical, plus the

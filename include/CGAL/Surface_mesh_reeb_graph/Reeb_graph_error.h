@@ -18,13 +18,15 @@ namespace Surface_mesh_reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
-The exception thrown when the *data* make a computation impossible: a value or a coordinate that is
-not a number, a surface without area, a factorization that failed, an eigensolver that did not
-converge, a parameter out of its range. It is thrown in every build mode; `what()` says what was
-found and where. All outputs of the function that throws are left as they were.
+The exception thrown when the *data* make a computation impossible: faces that are not triangles, a
+value or a coordinate that is not a number, a surface without area, a factorization that failed, an
+eigensolver that did not converge, a parameter out of its range. It is thrown in every build mode;
+`what()` says what was found and where. All outputs of the function that throws are left as they
+were.
 
-Wrong use of a function that its caller can rule out (for example an eigenvalue number that does not
-exist) is a violated precondition instead, as everywhere in \cgal.
+Wrong use of a function that its caller can rule out (for example a number out of range for
+`Laplace_beltrami_eigenbasis::eigenvalue()`) is a violated precondition instead, as everywhere in
+\cgal.
 */
 class Reeb_graph_error : public std::runtime_error
 {

@@ -60,12 +60,11 @@ limb, in any pose.
     \cgalParamDescription{receives the mapping function}
     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type}
     \cgalParamDefault{no map}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_arc_map, collect_arc_vertices}
-    \cgalParamDescription{as in `compute_reeb_graph()`, for the simplified graph}
-    \cgalParamType{a class model of `ReadWritePropertyMap`, Boolean}
-    \cgalParamDefault{no map, `false`}
-  \cgalParamNEnd
+  \cgalParamNEnd  \cgalParamNBegin{vertex_arc_map, face_arc_map, collect_arc_vertices, unfold_multiple_saddles, algorithm}
+    \cgalParamDescription{as in `compute_reeb_graph()`; the arcs are those of the simplified graph}
+    \cgalParamType{a class model of `ReadWritePropertyMap`, another one, Boolean, Boolean, `Reeb_graph_algorithm`}
+    \cgalParamDefault{no map, no map, `false`, `false`, `Reeb_graph_algorithm::AUTOMATIC`}
+\cgalParamNEnd
   \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_delaunay, extend_to_gap, accept_converged_part, random_seed, callback}
     \cgalParamDescription{as in `Laplace_beltrami_eigenbasis`}
     \cgalParamType{an integer, `double`, Boolean, Boolean, Boolean, an unsigned integer, a type convertible to `std::function<bool(double)>`}

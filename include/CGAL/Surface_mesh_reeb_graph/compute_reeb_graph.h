@@ -275,16 +275,18 @@ depend on how vertices and faces are numbered either.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(*n* log *n*) time for *n* vertices and faces at most, and O(*n* + *t* log *t*) time if *t*
-vertices are critical and there are few loops; O(*n* log *n*) with any of the maps that are filled.
-At its peak it needs about 10 bytes per vertex beyond its output for a smooth function, and up to
-about 50 if the function is mere noise or the surface has many handles, if the vertices of the mesh
-have indices and no map is filled (\ref reeb_graph_performance).
+With `AUTOMATIC` and `SWEEP` takes O(*n* log *n*) time for *n* vertices and faces at most; with
+`AUTOMATIC`, O(*n* + *t* log *t*) if *t* vertices are critical and there are few loops, unless a map
+or `Reeb_arc::vertices` is to be filled. At its peak it needs about 10 bytes per vertex beyond its
+output for a smooth function, and up to about 50 if the function is mere noise or the surface has
+many handles, if the vertices of the mesh have indices and no map is filled (\ref
+reeb_graph_performance).
 
-\throws Reeb_graph_error if a face is not a triangle, if a value is not a number, if the faces
-        around a vertex form several closed fans, or if the arcs cannot be numbered in the value
-        type of a map; `graph` and the maps are then left as they were. (If there is not enough
-        memory to write the graph, `std::bad_alloc` is thrown and the graph is left empty.)
+\throws Reeb_graph_error if a face is not a triangle or has the same vertex twice, if a value is not
+        a number, if the faces around a vertex form several closed fans, or if the arcs cannot be
+        numbered in the value type of a map; `graph` and the maps are then left as they were. (If
+        there is not enough memory to write the graph, `std::bad_alloc` is thrown and the graph is
+        left empty.)
 
 \sa `simplify_reeb_graph()`
 \sa `commute_time_reeb_graph()`

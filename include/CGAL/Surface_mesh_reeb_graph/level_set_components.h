@@ -70,13 +70,13 @@ triangle mesh.
 
 At a node of a Reeb graph components of the level set appear, vanish, split or merge. Those just
 below and just above the vertex of the node that touch it are the curves along which the surface can
-be cut there: below a node there is a component for every arc that ends at it, above it one for
-every arc that begins at it.
+be cut there: if multiple saddles are not unfolded, there is below a node a component for every arc
+that ends at it, above it one for every arc that begins at it.
 
 The vertices are compared by `Vertex_order`, as everywhere in this package. So a component is well
-defined even inside a plateau; no vertex lies on a level set. A surface with multiple saddles,
-borders, several components, isolated vertices, or border vertices at which several fans of faces
-meet is normal input.
+defined even inside a plateau; no vertex lies on a level set. Multiple saddles,
+borders, several components, isolated vertices, and border vertices at which several fans of faces
+meet are normal input.
 
 The object is made once for all vertices. All its members are `const`, several threads may call them
 at once.
@@ -201,7 +201,8 @@ public:
   the lowest first. This is the order in which `compute_reeb_graph()` numbers the arcs that begin at
   `v`: the *k*-th component is the beginning of the *k*-th arc. (The graph has fewer arcs where
   pairs of an extremum and a saddle have been cancelled: by `simplify_reeb_graph()`, or because they
-  have equal values.)
+  have equal values. If multiple saddles are unfolded, the components are those of all nodes of `v`
+  together.)
   */
   template <class OutputIterator>
   OutputIterator above(vertex_descriptor v, OutputIterator out) const

@@ -105,7 +105,7 @@ writes the eigenfunction of the `k`-th smallest non-zero eigenvalue, of every co
 \param basis the eigenbasis
 \param k the number of the eigenfunction, from 1 on
 \param values receives the eigenfunction, in the unit of an inverse length; it is 0 in components
-       with less than `k` eigenpairs
+       with fewer than `k` eigenpairs
 
 Takes O(n) time for *n* vertices.
 

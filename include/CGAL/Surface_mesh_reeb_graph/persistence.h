@@ -90,8 +90,8 @@ struct Persistence_pair
   /// returns the node of the two that lies higher.
   node_descriptor upper() const { return is_birth_lower() ? death : birth; }
 
-  /// returns the difference of the values, not negative, also of numbers that are no floating-point
-  /// ones. It is 0 for equal infinite values.
+  /// returns the difference of the values, not negative, also for number types other than
+  /// floating point. It is 0 for equal infinite values.
   double persistence() const
   {
     return is_birth_lower() ? internal::difference(birth_value, death_value)

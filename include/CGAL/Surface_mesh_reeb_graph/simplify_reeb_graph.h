@@ -155,7 +155,7 @@ new.
     \cgalParamExtra{`Reeb_arc::vertices` is brought up to date as well if it has been filled.}
   \cgalParamNEnd
   \cgalParamNBegin{face_arc_map}
-    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: a face goes where its vertex goes that is the second one in the order of the vertices}
+    \cgalParamDescription{the map that `compute_reeb_graph()` has filled; it is brought up to date: a face goes where a point of its old arc goes that lies as high as its middle vertex}
     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type}
     \cgalParamDefault{no map}
   \cgalParamNEnd
@@ -174,10 +174,10 @@ anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n 
 
 \throws Reeb_graph_error if a threshold is negative or not a number, if the number of leaves is
         negative, if a value is not a number, if the nodes or arcs of the graph are not numbered or
-        the values of the nodes not sorted as `compute_reeb_graph()` does it, or if graph, function
-        and maps do not belong together; `graph` and the maps are then left as they were. (If there
-        is not enough memory, `std::bad_alloc` is thrown, and the maps are left as they were, the
-        graph too or empty.)
+        the values of the nodes not sorted as `compute_reeb_graph()` does it, or, where maps or
+        `Reeb_arc::vertices` are brought up to date, if they, graph and function do not belong
+        together; `graph` and the maps are then left as they were. (If there is not enough memory,
+        `std::bad_alloc` is thrown, and the maps are left as they were, the graph too or empty.)
 
 \sa `compute_reeb_graph()`
 \sa `persistence_pairs()`

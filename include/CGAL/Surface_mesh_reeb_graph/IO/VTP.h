@@ -37,7 +37,7 @@ namespace IO {
 
 writes a mesh with a function and the arcs of its vertices as a VTK XML file (`.vtp`) for ParaView.
 The arrays of the points are named `value` and `arc`; a vertex without an arc has the arc number -1.
-ParaView reads finite numbers only: infinite values become the largest of these.
+ParaView reads finite numbers only: infinite values become the largest or the lowest of these.
 
 \tparam VertexScalarMap a model of `ReadablePropertyMap` from vertices to numbers
 \tparam VertexArcMap a model of `ReadablePropertyMap` from vertices to integers

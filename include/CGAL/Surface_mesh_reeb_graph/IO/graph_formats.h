@@ -193,7 +193,7 @@ bool write_graphml(const std::string& filename,
 \ingroup PkgSurfaceMeshReebGraphIO
 
 writes a Reeb graph in the DOT language of Graphviz, with the writer of Boost.Graph and the
-properties that `write_graphml()` writes.
+properties that `write_graphml()` writes; the `id` names a node, its `label` is type and `id`.
 
 \param out the stream
 \param graph the Reeb graph

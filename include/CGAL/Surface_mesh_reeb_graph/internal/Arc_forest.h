@@ -171,7 +171,7 @@ public:
     });
   }
 
-  // Hangs a path on a node that its first arc ends at.
+  // Hangs a path on a node, a path of its own, that its first arc ends at.
   void hang(Path path, std::uint32_t node) { m_forest.hang(path, node); }
 
 private:

@@ -75,7 +75,8 @@ public:
   using Base::reverse;
   using Base::sum;
 
-  // Hangs a sequence on an item of another one: its first item becomes a neighbor.
+  // Hangs a sequence on an item that is one of its own (or else the logarithmic time is not
+  // proven): its first item becomes a neighbor.
   void hang(Root sequence, std::uint32_t item) { m_items[sequence].parent = item; }
 
 private:

@@ -61,22 +61,23 @@ struct Glued_part
 //
 // A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie
 // above its lower end at once. The logarithms of the lengths of all arcs, measured in nodes, bound
-// the number of changes from one side to the other: it is O(log m) for each zip and O(m log m) in
-// all (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data structures for mergeable trees", 2011).
-// Every change takes O(log m) time.
+// the changes from one side to the other: O(log m) for each zip, and O(m log m) more in all
+// (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data structures for mergeable trees", 2011). A
+// change takes amortized O(log m) time.
 //
-// All cycles together have O(m log m) peaks. For consider the part of the forest that cycles may
-// still run through: the arcs whose upper node would make a small pair with the lower node of the
-// next arc. Let it be divided into up-trees, connected parts in which no node has two arcs down; at
-// first each arc is one. A path has a peak at most where it changes from one up-tree to another. A
-// cycle that has been closed is an up-tree, together with what hangs on it upwards in the up-trees
-// that it ran through. Of each of these at most one part is left, which hangs downwards on the
-// lowest node that the cycle had in it, so it is a neighbor of the new up-tree: in the tree of
-// up-trees and nodes, a path becomes a star. Now imagine that tree as a link-cut tree. To look up
-// a path makes O(log m) edges solid, amortized, and a star that replaces the path, without solid
-// edges, raises the potential by O(log m). There are O(m) such operations, for the arcs that come
-// and go and for the loops, and every edge that a star takes away had been made solid: the paths
-// that become stars have O(m log m) edges.
+// All cycles together have O(m log m) peaks. For consider the arcs of the forest that cycles may
+// still run through: the upper node would make a small pair with the lower node of the next arc.
+// Let them be divided into up-trees, connected parts in which no node has two arcs down; at first
+// each arc is one. A path has a peak at most where it changes from one up-tree to another. In a
+// tree of up-trees and nodes, let each node hang together with its up-trees by edges of its own:
+// the path has one for each change. A closed cycle is an up-tree, with what hangs on it upwards in
+// the up-trees on its path. Of each of these at most one part is left, which hangs downwards on the
+// cycle. It becomes a neighbor of the new up-tree, as do the nodes: the path becomes a star. Arcs
+// leave at the top, with an edge each; an up-tree without arcs stays, as a node. Now imagine a
+// link-cut tree. To look up a path makes O(log m) edges solid, amortized, and a star without solid
+// edges, of which only the center gets more below it, raises the potential by O(log m). There are
+// O(m) such operations, and every edge that a star takes away had been made solid: O(m log m)
+// edges.
 class Loop_closing
 {
 public:
