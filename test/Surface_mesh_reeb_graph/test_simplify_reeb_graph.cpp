@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_reeb_graph/compute_reeb_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Branch_cancellation.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Closed_loops.h>
+#include <CGAL/Surface_mesh_reeb_graph/internal/Loop_closing.h>
 #include <CGAL/Surface_mesh_reeb_graph/internal/Remaining_graph.h>
 #include <CGAL/Surface_mesh_reeb_graph/simplify_reeb_graph.h>
 
@@ -1122,6 +1123,83 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
       arcs.emplace_back(i, (std::min)(n - 1, i + 1 + static_cast<std::size_t>(length)));
     }
   BOOST_TEST(number_of_nodes_left(n, arcs) <= n);
+}
+
+// Not even where merging takes most changes of side, or where cycles have peaks, do loops take more
+// than O(m log m) steps: from a size to the 16-fold one, a second logarithm would let the steps per
+// m log m grow by a factor of 1.3 or 1.4. Steps are counted, not timed.
+BOOST_AUTO_TEST_CASE(loops_are_closed_in_m_log_m_steps)
+{
+  // bundles of paths whose nodes take turns, joined in pairs, the pairs in pairs, and so on
+  const auto nested_paths = [](const std::size_t n) {
+    const std::size_t length = 8, number = n / length;
+    std::vector<Rank_pair> arcs;
+    for (std::size_t i = 0; i < n; ++i)
+      arcs.emplace_back(number + i, (std::min)(2 * number + i, number + n));
+    for (std::size_t i = 1; i < number; ++i)
+      for (std::size_t k = 2 * i; k < 2 * i + 2; ++k) {
+        std::size_t path = 0; // of number k, its digits in reverse order
+        for (std::size_t bit = 1; bit < number; bit *= 2)
+          path = 2 * path + (k / bit) % 2;
+        arcs.emplace_back(i, k < number ? k : number + path);
+      }
+    return arcs;
+  };
+  // arcs of very different lengths, `up` upwards from every node
+  const auto random_arcs = [](const std::size_t n, const std::size_t up, std::mt19937& rng) {
+    std::vector<Rank_pair> arcs;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      for (std::size_t k = 0; k < up; ++k) {
+        const double length = std::exp(random_unit(rng) * std::log(static_cast<double>(n)));
+        arcs.emplace_back(i, (std::min)(n - 1, i + 1 + static_cast<std::size_t>(length)));
+      }
+    return arcs;
+  };
+  // the same between any nodes, with as many arcs down and up on average
+  const auto peaks_and_valleys = [](const std::size_t n, std::mt19937& rng) {
+    std::vector<Rank_pair> arcs;
+    for (std::size_t i = 0; i < 3 * n / 2; ++i) {
+      const double length = std::exp(random_unit(rng) * std::log(static_cast<double>(n)));
+      const std::size_t lower = random_index(n - 1, rng);
+      arcs.emplace_back(lower, (std::min)(n - 1, lower + 1 + static_cast<std::size_t>(length)));
+    }
+    return arcs;
+  };
+  // loops go that are lower than a part of the height of the graph, or all
+  const auto steps_per_m_log_m = [](const std::vector<Rank_pair>& arcs, const std::size_t parts) {
+    std::vector<Arc_ends> ends;
+    std::size_t number_of_nodes = 0;
+    for (const Rank_pair& arc : arcs) {
+      ends.push_back(
+          {static_cast<std::uint32_t>(arc.first), static_cast<std::uint32_t>(arc.second)});
+      number_of_nodes = (std::max)(number_of_nodes, arc.second + 1);
+    }
+    SMRG::internal::Loop_closing closing(number_of_nodes, ends);
+    closing.run([&](const SMRG::internal::Loop_pair& pair) {
+      return (pair.merge - pair.split) * parts <= number_of_nodes;
+    });
+    const double m = static_cast<double>(number_of_nodes + ends.size());
+    return static_cast<double>(closing.number_of_steps()) / (m * std::log2(m));
+  };
+  const auto check = [&](const char* name, const auto& make, const std::size_t parts) {
+    const std::size_t n = 1 << 13;
+    std::mt19937 rng(1);
+    const double small = steps_per_m_log_m(make(n, rng), parts),
+                 large = steps_per_m_log_m(make(16 * n, rng), parts);
+    BOOST_TEST_MESSAGE(name << ", loops up to 1/" << parts << " of the height: " << small << ", "
+                            << large << " steps per m log m");
+    BOOST_TEST(large < 1.15 * small, name);
+  };
+  check(
+      "nested paths", [&](std::size_t n, std::mt19937&) { return nested_paths(n); }, 1);
+  for (const std::size_t parts : {1, 4, 16}) {
+    for (const std::size_t up : {2, 4})
+      check(
+          "random arcs upwards",
+          [&](std::size_t n, std::mt19937& rng) { return random_arcs(n, up, rng); },
+          parts);
+    check("peaks and valleys", peaks_and_valleys, parts);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(bad_thresholds_are_errors_and_change_nothing)

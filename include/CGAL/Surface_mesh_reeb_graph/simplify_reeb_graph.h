@@ -166,9 +166,10 @@ new.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O(m log m) time for a graph with *m* nodes and arcs. To close loops, on whose cycles are *p*
-peaks beside the merges, takes O((m + p) log<sup>2</sup> m) time in the worst case, however long the
-cycles are (\cgalCite{georgiadis_2011}); *p* is O(m log m), and few in practice. If there is
+Takes O(m log m) time for a graph with *m* nodes and arcs. To close loops, too, is proven to take
+O((m + p) log<sup>2</sup> m) time at most, however long the cycles are (\cgalCite{georgiadis_2011}),
+if they have *p* peaks beside the merges, which are O(m log m). No graphs are known that take more
+than O(m log m), not even those that let merging change sides as often as it can. If there is
 anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n log n) if
 `Reeb_arc::vertices` has been filled.
 

@@ -85,6 +85,9 @@ public:
     Path path;                 // of the others, from the upper end of that arc to the lower one
   };
 
+  // See Splay_sequences.
+  std::uint64_t number_of_steps() const { return m_forest.number_of_steps(); }
+
   // Gives the forest the next arc. Returns the cycle that it completes, if any.
   Cycle add(std::uint32_t arc)
   {

@@ -41,6 +41,8 @@ public:
   // Says what is known of an item that is a tree of its own.
   using Base::set_summary;
 
+  using Base::number_of_steps;
+
   // Joins two trees by edges from `x` to `item`, a tree of its own, and from there to `y`.
   void insert(std::uint32_t item, std::uint32_t x, std::uint32_t y)
   {

@@ -112,6 +112,9 @@ public:
   // Whether other pairs may have changed.
   bool have_other_pairs_changed() const { return m_have_other_pairs_changed; }
 
+  // The time taken, but for a constant factor.
+  std::uint64_t number_of_steps() const { return m_forest.number_of_steps(); }
+
 private:
   struct Summary : Highest_arc
   {

@@ -126,6 +126,10 @@ public:
     return beginning;
   }
 
+  // How many rotations and searches there have been: the time of all operations, but for a constant
+  // factor.
+  std::uint64_t number_of_steps() const { return m_number_of_steps; }
+
 protected:
   struct Item
   {
@@ -159,6 +163,7 @@ protected:
   // Makes `x` the root of its sequence.
   void splay(std::uint32_t x)
   {
+    ++m_number_of_steps;
     for (std::uint32_t item = x;; item = m_items[item].parent) {
       m_stack.push_back(item);
       if (is_root(item))
@@ -201,6 +206,7 @@ private:
 
   void rotate(std::uint32_t x)
   {
+    ++m_number_of_steps;
     const std::uint32_t parent = m_items[x].parent, grandparent = m_items[parent].parent;
     const std::size_t side = m_items[parent].child[1] == x ? 1 : 0;
     if (!is_root(parent))
@@ -226,6 +232,7 @@ private:
     return end;
   }
 
+  std::uint64_t m_number_of_steps = 0;
   std::vector<std::uint32_t> m_stack;
 };
 
