@@ -52,7 +52,7 @@ tool=$root/build/release/examples/Surface_mesh_reeb_graph/reeb_graph
 cat <<END
 
 Files, and what opens them:
-  $prefix.ply            the mesh, colored by the function  MeshLab, Blender
+  $prefix.ply            the mesh, colored by the function    MeshLab, Blender
   $prefix.vtp            the mesh, its values and arcs        ParaView
   $prefix.polylines.txt  the arcs in space                    CGAL Polyhedron demo
   $prefix.graphml        the graph                            Gephi, yEd
