@@ -57,7 +57,8 @@ inline bool read_obj(const std::string& file, Polygon_soup& soup)
   std::ifstream in(file);
   std::stringstream points_and_faces;
   for (std::string line; std::getline(in, line);)
-    if (line.size() > 1 && (line[0] == 'v' || line[0] == 'f') && std::isspace(line[1] & 0x7f))
+    if (line.size() > 1 && (line[0] == 'v' || line[0] == 'f') &&
+        std::isspace(static_cast<unsigned char>(line[1])))
       points_and_faces << line << '\n';
   return CGAL::IO::read_OBJ(points_and_faces, soup.points, soup.polygons);
 }

@@ -9,10 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <ostream>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -89,16 +88,11 @@ inline std::string counted(std::size_t number, const std::string& what)
   return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
 }
 
-inline std::size_t number_of_borders(const Mesh& mesh)
-{
-  std::vector<Mesh::Halfedge_index> borders;
-  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
-  return borders.size();
-}
-
 inline std::size_t number_of_points(const Mesh& mesh)
 {
-  return std::set<Kernel::Point_3>(mesh.points().begin(), mesh.points().end()).size();
+  std::vector<Kernel::Point_3> points(mesh.points().begin(), mesh.points().end());
+  std::sort(points.begin(), points.end());
+  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
 }
 
 inline void print_text(std::ostream& out, const Options& options, const Result& result)
@@ -109,7 +103,7 @@ inline void print_text(std::ostream& out, const Options& options, const Result& 
   out << options.mesh_file << ": " << vertices << (vertices == 1 ? " vertex" : " vertices") << ", "
       << counted(result.mesh.number_of_faces(), "face") << ", "
       << counted(result.number_of_components, "component") << ", "
-      << counted(number_of_borders(result.mesh), "border") << '\n';
+      << counted(CGAL::Polygon_mesh_processing::number_of_borders(result.mesh), "border") << '\n';
   if (points < vertices)
     out << "Note: the vertices lie at " << points
         << " different points only; faces are neighbors only if they share vertices\n";
