@@ -46,7 +46,7 @@ build release --target reeb_graph
 mkdir -p reeb_graph_output
 name=${mesh##*/}
 prefix=reeb_graph_output/${name%.*}
-tool=$root/build/release/examples/Surface_mesh_reeb_graph/reeb_graph
+tool=$root/build/release/examples/Surface_mesh_Reeb_graph/reeb_graph
 "$tool" "$mesh" --output "$prefix" "${options[@]}"
 
 cat <<END

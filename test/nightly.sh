@@ -40,8 +40,8 @@ fuzz()
   local folder=$root/build/fuzzing
   mkdir -p "$folder/corpus" "$folder/failures"
   # In parallel it writes files to the current folder.
-  configure clang && build clang --target fuzz_compute_reeb_graph && cd "$folder" &&
-    quietly "$root/build/clang/test/fuzz/fuzz_compute_reeb_graph" \
+  configure clang && build clang --target fuzz_compute_Reeb_graph && cd "$folder" &&
+    quietly "$root/build/clang/test/fuzz/fuzz_compute_Reeb_graph" \
       -max_total_time="$fuzzing_seconds" -len_control=0 -max_len=400 -timeout=60 \
       -jobs="$(number_of_jobs)" -workers="$(number_of_jobs)" \
       -artifact_prefix="$folder/failures/" "$folder/corpus"
@@ -53,10 +53,10 @@ install_missing g++ clang libclang-rt-dev cmake make libcgal-dev libeigen3-dev l
 
 # The agreement with VTK is there where VTK is.
 check "random tests (release)" \
-  random_tests release 'compute_reeb_graph|simplify_reeb_graph|vtk_agreement'
+  random_tests release 'compute_Reeb_graph|simplify_Reeb_graph|vtk_agreement'
 check "random tests (sanitizers)" \
-  random_tests sanitize 'compute_reeb_graph|simplify_reeb_graph' \
-  --target test_compute_reeb_graph test_simplify_reeb_graph
+  random_tests sanitize 'compute_Reeb_graph|simplify_Reeb_graph' \
+  --target test_compute_Reeb_graph test_simplify_Reeb_graph
 check "fuzzing" fuzz
 
 echo "$passed passed, $failed failed"

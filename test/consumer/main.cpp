@@ -1,6 +1,6 @@
 // The height function of an icosahedron: one minimum, one maximum, one arc.
 
-#include <CGAL/surface_mesh_reeb_graph.h>
+#include <CGAL/surface_mesh_Reeb_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,7 +18,7 @@ int main()
   for (auto v : mesh.vertices())
     height[v] = mesh.point(v).x() + 0.1 * mesh.point(v).y() + 0.01 * mesh.point(v).z();
 
-  CGAL::Surface_mesh_reeb_graph::Reeb_graph<Mesh> graph;
-  CGAL::Surface_mesh_reeb_graph::compute_reeb_graph(mesh, height, graph);
+  CGAL::Surface_mesh_Reeb_graph::Reeb_graph<Mesh> graph;
+  CGAL::Surface_mesh_Reeb_graph::compute_Reeb_graph(mesh, height, graph);
   return num_vertices(graph) == 2 && num_edges(graph) == 1 ? 0 : 1;
 }

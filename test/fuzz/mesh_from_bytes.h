@@ -1,4 +1,4 @@
-// Copyright (c) 2026 The Surface_mesh_reeb_graph authors
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A small triangle mesh and a function from any bytes: few pieces, changed step by step, each step
@@ -7,7 +7,7 @@
 #ifndef SURFACE_MESH_REEB_GRAPH_TEST_MESH_FROM_BYTES_H
 #define SURFACE_MESH_REEB_GRAPH_TEST_MESH_FROM_BYTES_H
 
-#include "../Surface_mesh_reeb_graph/reeb_graph_cases.h"
+#include "../Surface_mesh_Reeb_graph/random_Reeb_graph_cases.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/Block_Lanczos_eigensolver.h>
+#include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
+#include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
+#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
+#include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphFunctions
+
+computes the Reeb graph of the commute-time mapping function: the method of
+\cgalCite{el_khoury_2012} in one call.
+
+It computes the eigenbasis, the feature points, the mapping function, its Reeb graph, and simplifies
+it. For a shape with limbs the graph has a minimum in the center and a maximum at the tip of every
+limb, in any pose.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+\tparam MutableGraph as in `compute_Reeb_graph()`
+\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
+        parameters"
+
+\param tmesh the mesh
+\param graph the Reeb graph; what it contained before is lost
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{persistence_threshold, threshold_is_absolute, number_of_leaves, loop_persistence_threshold}
+    \cgalParamDescription{as in `simplify_Reeb_graph()`}
+    \cgalParamType{`double`, Boolean, an integer type, `double`}
+    \cgalParamDefault{`0`, `false`, no limit, `0`: only pairs of persistence zero are cancelled}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_value_map}
+    \cgalParamDescription{receives the mapping function}
+    \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type}
+    \cgalParamDefault{no map}
+  \cgalParamNEnd  \cgalParamNBegin{vertex_arc_map, face_arc_map, collect_arc_vertices, unfold_multiple_saddles, algorithm}
+    \cgalParamDescription{as in `compute_Reeb_graph()`; the arcs are those of the simplified graph}
+    \cgalParamType{a class model of `ReadWritePropertyMap`, another one, Boolean, Boolean, `Reeb_graph_algorithm`}
+    \cgalParamDefault{no map, no map, `false`, `false`, `Reeb_graph_algorithm::AUTOMATIC`}
+\cgalParamNEnd
+  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_Delaunay, extend_to_gap, accept_converged_part, random_seed, callback}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{an integer, `double`, Boolean, Boolean, Boolean, an unsigned integer, a type convertible to `std::function<bool(double)>`}
+    \cgalParamDefault{`50`, `1e-8`, `false`, `true`, `false`, `0`, no function}
+  \cgalParamNEnd
+  \cgalParamNBegin{small_time, large_time, minima_as_feature_points}
+    \cgalParamDescription{as in `feature_points()`}
+    \cgalParamType{`double`, `double`, Boolean}
+    \cgalParamDefault{`1.5`, `20`, `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{output_iterator}
+    \cgalParamDescription{receives the feature points}
+    \cgalParamType{a model of `OutputIterator` that holds `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
+    \cgalParamDefault{`CGAL::Emptyset_iterator`}
+  \cgalParamNEnd
+  \cgalParamNBegin{sparse_linear_solver}
+    \cgalParamDescription{an object of the type that factors and solves the linear systems; only its type counts}
+    \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
+    \cgalParamDefault{the default of `Laplace_Beltrami_eigenbasis`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map, vertex_index_map}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis` and `compute_Reeb_graph()`}
+    \cgalParamType{class models of `ReadablePropertyMap`}
+    \cgalParamDefault{those of the mesh}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\throws Error as the functions that it calls; all outputs are then left as they were
+
+\sa `compute_Reeb_graph()`
+*/
+template <class TriangleMesh,
+          class MutableGraph,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+void commute_time_Reeb_graph(const TriangleMesh& tmesh,
+                             MutableGraph& graph,
+                             const NamedParameters& np = CGAL::parameters::default_values())
+{
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::is_default_parameter;
+  using Solver_traits =
+      typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::sparse_linear_solver_t,
+                                                         NamedParameters,
+                                                         internal::Default_solver_traits>::type;
+
+  internal::simplification_parameters(np); // throws before any output is written
+
+  std::vector<vertex_descriptor> points;
+  const auto values = get(CGAL::dynamic_vertex_property_t<double>(), tmesh);
+  {
+    // the basis is by far the largest object: it goes before the graph is computed
+    const Laplace_Beltrami_eigenbasis<TriangleMesh, Block_Lanczos_eigensolver<Solver_traits>> basis(
+        tmesh, np);
+    feature_points(basis, std::back_inserter(points), np);
+    commute_time_function(basis, points, values);
+  }
+  compute_Reeb_graph(tmesh, values, graph, np);
+  simplify_Reeb_graph(tmesh, values, graph, np);
+
+  if constexpr (!is_default_parameter<NamedParameters, internal::tags::vertex_value_map_t>::value) {
+    auto vertex_value_map = internal::get_own_parameter(np, internal::tags::vertex_value_map);
+    for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))
+      put(vertex_value_map, v, get(values, v));
+  }
+  if constexpr (!is_default_parameter<NamedParameters, CGAL::internal_np::output_iterator_t>::value)
+    std::copy(points.begin(), points.end(), get_parameter(np, CGAL::internal_np::output_iterator));
+}
+
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H

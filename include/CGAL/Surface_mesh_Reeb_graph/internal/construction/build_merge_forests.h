@@ -1,0 +1,98 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_BUILD_MERGE_FORESTS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_BUILD_MERGE_FORESTS_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+struct Ignore_components
+{
+  void operator()(std::uint32_t, std::uint32_t) const {}
+};
+
+// Adds to a forest, which has room for all names and knows nothing of these nodes yet: visits the
+// nodes in the given order and merges the components that their wedges lead to, which are told by
+// nodes in them, the ends of the wedges. The sequence may hold more names than there are nodes:
+// those of leaves, which are components of their own. Calls `set_component(wedge, node)` for every
+// wedge with the last node of its component, the child that the component has in the forest.
+template <class Iterator, class SetComponent>
+void merge_components(Iterator begin,
+                      Iterator end,
+                      const std::vector<std::uint32_t>& wedge_begin,
+                      const std::vector<std::uint32_t>& wedge_end,
+                      Merge_forest& forest,
+                      const SetComponent& set_component)
+{
+  const std::size_t number_of_nodes = wedge_begin.size() - 1;
+  Disjoint_sets sets(forest.size()); // the last node visited is the root
+  std::vector<std::uint32_t> components;
+  for (Iterator i = begin; i != end; ++i) {
+    const std::uint32_t node = *i;
+    if (node >= number_of_nodes)
+      continue;
+    components.clear();
+    for (std::uint32_t w = wedge_begin[node]; w < wedge_begin[node + 1]; ++w)
+      components.push_back(sets.root(wedge_end[w]));
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      const std::uint32_t component = components[k];
+      set_component(wedge_begin[node] + static_cast<std::uint32_t>(k), component);
+      if (forest.parent(component) == node)
+        continue;
+      forest.attach(component, node);
+      sets.join(component, node);
+    }
+  }
+}
+
+// The forest of sublevel sets of `nodes`, which are Critical_nodes.
+template <class Nodes>
+void merge_sublevel_sets(const Nodes& nodes,
+                         const std::vector<std::uint32_t>& sequence,
+                         Merge_forest& forest)
+{
+  forest.clear(sequence.size());
+  merge_components(sequence.begin(),
+                   sequence.end(),
+                   nodes.lower_begin,
+                   nodes.lower_end,
+                   forest,
+                   Ignore_components());
+}
+
+// The forest of superlevel sets.
+template <class Nodes, class SetComponent = Ignore_components>
+void merge_superlevel_sets(const Nodes& nodes,
+                           const std::vector<std::uint32_t>& sequence,
+                           Merge_forest& forest,
+                           const SetComponent& set_component = SetComponent())
+{
+  forest.clear(sequence.size());
+  merge_components(sequence.rbegin(),
+                   sequence.rend(),
+                   nodes.upper_begin,
+                   nodes.upper_end,
+                   forest,
+                   set_component);
+}
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_BUILD_MERGE_FORESTS_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_VERTEX_STAR_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_VERTEX_STAR_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// The edges around a vertex in cyclic order, and their wedges: runs of edges that lead to the same
+// side of the level of the vertex, each joined to the next one by a face. A component of the level
+// set just below (above) the vertex passes through a lower (upper) wedge from one end to the other.
+template <class TriangleMesh>
+class Vertex_star
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+public:
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+
+  struct Wedge
+  {
+    std::size_t begin, end; // positions of its edges
+    bool is_upper;
+    bool is_linked; // whether a face joins its last edge to the first edge of the next wedge
+  };
+
+  void clear()
+  {
+    halfedges.clear();
+    wedges.clear();
+  }
+
+  void read(vertex_descriptor v, const TriangleMesh& tmesh)
+  {
+    clear();
+    if (!has_no_edge(v, tmesh))
+      for (halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh))
+        halfedges.push_back(h);
+  }
+
+  // Finds the wedges; `is_above(h)` tells whether the edge `h` leads to a vertex above the level.
+  // The edges are rotated so that no wedge goes across the end of their list.
+  template <class IsAbove>
+  void find_wedges(const TriangleMesh& tmesh, const IsAbove& is_above)
+  {
+    wedges.clear();
+    const std::size_t size = halfedges.size();
+    if (size == 0)
+      return;
+    m_is_above.clear();
+    for (halfedge_descriptor h : halfedges)
+      m_is_above.push_back(is_above(h));
+
+    const auto begins_wedge = [&](std::size_t i) {
+      const std::size_t previous = i == 0 ? size - 1 : i - 1;
+      return m_is_above[previous] != m_is_above[i] || is_border(halfedges[previous], tmesh);
+    };
+    std::size_t begin = 0;
+    while (begin < size && !begins_wedge(begin))
+      ++begin;
+    if (begin != 0 && begin != size) { // a closed fan that leads to one side begins anywhere
+      std::rotate(halfedges.begin(), halfedges.begin() + begin, halfedges.end());
+      std::rotate(m_is_above.begin(), m_is_above.begin() + begin, m_is_above.end());
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (i == 0 || begins_wedge(i))
+        wedges.push_back({i, i, m_is_above[i] != 0, false});
+      wedges.back().end = i + 1;
+      wedges.back().is_linked = !is_border(halfedges[i], tmesh);
+    }
+  }
+
+  std::size_t number_of_wedges(bool is_upper) const
+  {
+    return static_cast<std::size_t>(std::count_if(
+        wedges.begin(), wedges.end(), [&](const Wedge& w) { return w.is_upper == is_upper; }));
+  }
+
+  // Whether the faces form one closed fan.
+  bool is_closed() const
+  {
+    return !wedges.empty() &&
+           std::all_of(wedges.begin(), wedges.end(), [](const Wedge& w) { return w.is_linked; });
+  }
+
+  // The edge of a wedge whose other end comes first.
+  template <class Less>
+  halfedge_descriptor
+  lowest_edge(const Wedge& wedge, const TriangleMesh& tmesh, const Less& less) const
+  {
+    return *std::min_element(halfedges.begin() + wedge.begin,
+                             halfedges.begin() + wedge.end,
+                             [&](halfedge_descriptor g, halfedge_descriptor h) {
+                               return less(source(g, tmesh), source(h, tmesh));
+                             });
+  }
+
+  // Rotates a closed fan of lower and upper wedges in turn such that it begins with the lower wedge
+  // that has the lowest vertex: a beginning that does not depend on how the data structure
+  // circulates.
+  template <class Less>
+  void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)
+  {
+    std::size_t first = wedges.size();
+    halfedge_descriptor lowest = halfedges.front();
+    for (std::size_t w = 0; w < wedges.size(); ++w) {
+      if (wedges[w].is_upper)
+        continue;
+      const halfedge_descriptor h = lowest_edge(wedges[w], tmesh, less);
+      if (first == wedges.size() || less(source(h, tmesh), source(lowest, tmesh))) {
+        first = w;
+        lowest = h;
+      }
+    }
+    const std::size_t shift = wedges[first].begin, size = halfedges.size();
+    std::rotate(halfedges.begin(), halfedges.begin() + shift, halfedges.end());
+    std::rotate(wedges.begin(), wedges.begin() + first, wedges.end());
+    for (Wedge& wedge : wedges) {
+      const std::size_t length = wedge.end - wedge.begin;
+      wedge.begin = (wedge.begin + size - shift) % size;
+      wedge.end = wedge.begin + length;
+    }
+  }
+
+  // An option unfolds a vertex with more than two wedges on either side in a closed fan into simple
+  // saddles. Returns their number, or 1 if there is nothing to unfold.
+  std::size_t number_of_simple_saddles() const
+  {
+    const std::size_t number = wedges.size() / 2;
+    return number > 2 && is_closed() ? number - 1 : 1;
+  }
+
+  std::vector<halfedge_descriptor> halfedges; // that point to the vertex
+  std::vector<Wedge> wedges;                  // in cyclic order
+
+private:
+  std::vector<char> m_is_above;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_VERTEX_STAR_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/read_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_branches.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// What the user asks for.
+struct Simplification_parameters
+{
+  double threshold, loop_threshold;
+  std::size_t number_of_leaves;
+  bool is_absolute;
+};
+
+// The half of a difference, which does not overflow.
+inline double half_of_difference(double lower, double upper)
+{
+  return lower == upper ? 0. : upper / 2 - lower / 2;
+}
+
+// Simplifies a folded graph as simplify_Reeb_graph() says.
+class Simplification
+{
+public:
+  Simplification(const std::vector<double>& values,
+                 const std::vector<Arc_ends>& ends,
+                 const Simplification_parameters& parameters)
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
+  {}
+
+  const Folded_graph& folded_graph() const { return m_folded; }
+
+  void run()
+  {
+    cancel_branches();
+    if (m_parameters.loop_threshold > 0) {
+      close_loops();
+      if (m_closed_loops.have_other_pairs_changed())
+        cancel_branches();
+    }
+  }
+
+  // Moves points to the arcs that they belong to now. `is_below(i, node)` tells whether `points[i]`
+  // lies below a node.
+  template <class IsBelow>
+  void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
+  {
+    internal::follow(m_folded, m_closed_loops, points, is_below);
+  }
+
+private:
+  std::vector<double> thresholds_of_nodes(double threshold) const
+  {
+    return m_parameters.is_absolute ? std::vector<double>(m_values.size(), threshold)
+                                    : fractions_of_component_ranges(m_values, m_ends, threshold);
+  }
+
+  void close_loops()
+  {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
+    m_closed_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
+      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
+             thresholds[loop.merge];
+    });
+  }
+
+  void cancel_branches()
+  {
+    const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
+    m_folded.run(
+        [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
+    const std::size_t number_of_leaves = m_parameters.number_of_leaves;
+    if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
+      return;
+    std::size_t number = 0;
+    for (std::uint32_t node = 0; node < m_values.size(); ++node)
+      if (m_folded.is_node(node) &&
+          (m_folded.number_of_arcs(BELOW, node) == 0 || m_folded.number_of_arcs(ABOVE, node) == 0))
+        ++number;
+    if (number <= number_of_leaves)
+      return;
+
+    std::vector<Extremum_pair> pairs = m_folded.pairs();
+    if (!m_parameters.is_absolute)
+      sort_by_relative_persistence(pairs);
+    pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
+    m_folded.cancel(pairs);
+  }
+
+  // Inside a component the order stays as it is.
+  void sort_by_relative_persistence(std::vector<Extremum_pair>& pairs) const
+  {
+    const std::vector<double> half_ranges = fractions_of_component_ranges(m_values, m_ends, 0.5);
+    const auto relative_persistence = [&](const Extremum_pair& pair) {
+      const double half = pair.side == BELOW
+                              ? half_of_difference(m_values[pair.extremum], m_values[pair.saddle])
+                              : half_of_difference(m_values[pair.saddle], m_values[pair.extremum]);
+      return half == 0 ? 0. : half / half_ranges[pair.extremum];
+    };
+    std::stable_sort(
+        pairs.begin(), pairs.end(), [&](const Extremum_pair& p, const Extremum_pair& q) {
+          return relative_persistence(p) < relative_persistence(q);
+        });
+  }
+
+  const std::vector<double>& m_values;
+  const std::vector<Arc_ends>& m_ends;
+  Simplification_parameters m_parameters;
+  Branch_cancellation m_folded;
+  Loop_simplification m_closed_loops;
+};
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_H

@@ -1,0 +1,258 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_SHIFT_INVERTED_OPERATOR_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_SHIFT_INVERTED_OPERATOR_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Block_basis.h>
+
+#include <CGAL/Eigen_matrix.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// Whether a model of `SparseLinearAlgebraWithFactorTraits_d` gives access to a solver with Eigen's
+// interface, which solves for several right-hand sides at once ...
+template <class SolverTraits, class = void>
+struct Solves_matrices : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_matrices<SolverTraits,
+                       std::void_t<decltype(std::declval<Eigen::MatrixXd&>() =
+                                                std::declval<SolverTraits&>().solver().solve(
+                                                    std::declval<const Eigen::MatrixXd&>()))>>
+  : std::true_type
+{
+};
+
+// ... and to one that overwrites a block of right-hand sides by the solutions.
+template <class SolverTraits, class = void>
+struct Solves_in_place : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_in_place<SolverTraits,
+                       std::void_t<decltype(std::declval<SolverTraits&>().solver().solve_in_place(
+                           std::declval<Row_block&>()))>> : std::true_type
+{
+};
+
+// ... or does so in an order of the rows that suits it, as `Supernodal_Cholesky`.
+template <class SolverTraits, class = void>
+struct Solves_permuted : std::false_type
+{
+};
+template <class SolverTraits>
+struct Solves_permuted<
+    SolverTraits,
+    std::void_t<decltype(std::declval<SolverTraits&>().solver().permutationP().indices()),
+                decltype(std::declval<SolverTraits&>().solver().solve_permuted_in_place(
+                    std::declval<Row_block&>()))>> : std::true_type
+{
+};
+
+// `A = M^1/2 (L + sigma M)^-1 M^1/2`. Its eigenvalues are `nu = 1 / (lambda + sigma)` for those of
+// `L psi = lambda M psi`, and infinitely large lambda (nu = 0) for vertices without mass.
+//
+// Vectors that A is applied to have their rows in an order of its own: that of the factor, if the
+// solver can do with it. Eigenfunctions have them in the order of L and M.
+template <class SolverTraits>
+class Shift_inverted_operator
+{
+  using Matrix = typename SolverTraits::Matrix;
+  using Vector = typename SolverTraits::Vector;
+
+public:
+  Shift_inverted_operator(const Eigen::SparseMatrix<double>& stiffness,
+                          const Eigen::VectorXd& mass,
+                          double shift)
+    : m_sqrt_mass(mass.cwiseSqrt())
+    , m_shift(shift)
+    , m_shifted(static_cast<int>(rows()))
+    , m_right_hand_side(static_cast<int>(rows()))
+    , m_solution(static_cast<int>(rows()))
+  {
+    // CGAL's matrix never gives back the memory of the entries that it is made from one by one.
+    if constexpr (std::is_same_v<Matrix, CGAL::Eigen_sparse_matrix<double>>) {
+      Matrix(stiffness).swap(m_shifted);
+      for (Eigen::Index i = 0; i < rows(); ++i)
+        m_shifted.add_coef(i, i, shift * mass[i]);
+    } else {
+      for (Eigen::Index j = 0; j < rows(); ++j) {
+        double diagonal = shift * mass[j];
+        for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness, j); it; ++it)
+          if (it.row() == j)
+            diagonal += it.value();
+          else
+            m_shifted.set_coef(it.row(), it.col(), it.value(), true);
+        m_shifted.set_coef(j, j, diagonal, true);
+      }
+    }
+    double determinant;
+    if (!m_solver.factor(m_shifted, determinant))
+      throw Numerical_error("the factorization of the shifted stiffness matrix failed");
+    if constexpr (Solves_permuted<SolverTraits>::value)
+      m_sqrt_mass = (m_solver.solver().permutationP() * m_sqrt_mass).eval();
+  }
+
+  Eigen::Index rows() const { return m_sqrt_mass.size(); }
+
+  // `y = A x`
+  void apply(const Row_block& x, Row_block& y)
+  {
+    y = m_sqrt_mass.asDiagonal() * x;
+    solve(y);
+    y.array().colwise() *= m_sqrt_mass.array();
+  }
+  void apply(const double* x_in, double* y_out)
+  {
+    const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
+    Eigen::Map<Eigen::VectorXd> y(y_out, rows());
+    y = m_sqrt_mass.cwiseProduct(x);
+    solve(y);
+    y = m_sqrt_mass.cwiseProduct(y);
+  }
+
+  // Writes the eigenfunctions that belong to eigenvectors y of A with the eigenvalues nu to the
+  // columns of `psi`, as many as these are. `psi = M^-1/2 y` would say nothing where M is zero. One
+  // more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes
+  // out most of the error of y, which is in the directions that A makes small. `y` is changed.
+  template <class Columns>
+  void to_eigenfunctions(Row_block& y, const Eigen::VectorXd& nu, Columns psi)
+  {
+    y.array().colwise() *= m_sqrt_mass.array();
+    solve(y);
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      psi.row(i) = y.row(own_row(i)).head(psi.cols());
+    psi *= nu.cwiseInverse().asDiagonal();
+  }
+
+  void to_eigenfunctions(Eigen::MatrixXd& vectors, const Eigen::VectorXd& nu)
+  {
+    Row_block block(rows(), block_width);
+    for (Eigen::Index j = 0; j < vectors.cols(); j += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), vectors.cols() - j);
+      block.rightCols(block_width - width).setZero();
+      block.leftCols(width) = vectors.middleCols(j, width);
+      to_eigenfunctions(block, nu.segment(j, width), vectors.middleCols(j, width));
+    }
+  }
+  double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
+
+  // Whether `number` of all eigenpairs are so many that a Krylov space leaves no room for what is
+  // orthogonal to it: then all eigenpairs are computed. A search for multiple ones keeps two
+  // vectors for every pair, and multiplies one or fewer for every pair.
+  bool is_small_for(Eigen::Index number) const
+  {
+    return (std::max)(3 * number + 60, 4 * number + 24) >= (m_sqrt_mass.array() > 0).count();
+  }
+
+  // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense
+  // matrix.
+  Eigenpairs dense_eigenpairs(Eigen::Index number)
+  {
+    Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
+    Row_block block(rows(), block_width), product;
+    for (Eigen::Index j = 0; j < a.cols(); j += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), a.cols() - j);
+      block.rightCols(block_width - width).setZero();
+      block.leftCols(width) = a.middleCols(j, width);
+      apply(block, product);
+      a.middleCols(j, width) = product.leftCols(width);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
+    if (solver.info() != Eigen::Success)
+      throw Numerical_error("the dense eigensolver did not converge");
+    // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong
+    // to faces that are degenerate: those of a regular mesh of so few vertices differ by a
+    // thousand.
+    constexpr double negligible = 1e-7;
+    const double largest = solver.eigenvalues().maxCoeff();
+    const Eigen::Index available = (solver.eigenvalues().array() > negligible * largest).count();
+    number = (std::min)(number, available);
+    Eigenpairs result;
+    const Eigen::VectorXd nu = solver.eigenvalues().tail(number).reverse();
+    result.values = nu.unaryExpr([this](double x) { return to_eigenvalue(x); });
+    result.vectors = solver.eigenvectors().rightCols(number).rowwise().reverse();
+    to_eigenfunctions(result.vectors, nu);
+    return result;
+  }
+
+private:
+  // The row of a vertex in the order of the operator.
+  Eigen::Index own_row(Eigen::Index i)
+  {
+    if constexpr (Solves_permuted<SolverTraits>::value)
+      return m_solver.solver().permutationP().indices()[i];
+    else
+      return i;
+  }
+
+  void solve(Row_block& x)
+  {
+    if constexpr (Solves_permuted<SolverTraits>::value) {
+      m_solver.solver().solve_permuted_in_place(x);
+      check(m_solver.solver().info() == Eigen::Success);
+    } else if constexpr (Solves_in_place<SolverTraits>::value) {
+      m_solver.solver().solve_in_place(x);
+      check(m_solver.solver().info() == Eigen::Success);
+    } else if constexpr (Solves_matrices<SolverTraits>::value) {
+      m_right_hand_sides = x;
+      m_solutions = m_solver.solver().solve(m_right_hand_sides);
+      check(m_solver.solver().info() == Eigen::Success);
+      x = m_solutions;
+    } else {
+      for (int j = 0; j < block_width; ++j) {
+        auto column = x.col(j);
+        solve(column);
+      }
+    }
+  }
+
+  template <class Column>
+  void solve(Column& x)
+  {
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      m_right_hand_side.set(i, x[own_row(i)]);
+    check(m_solver.linear_solver(m_right_hand_side, m_solution));
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      x[own_row(i)] = m_solution[i];
+  }
+
+  static void check(bool success)
+  {
+    if (!success)
+      throw Numerical_error("the solution of a linear system failed");
+  }
+
+  Eigen::VectorXd m_sqrt_mass;
+  double m_shift;
+  Matrix m_shifted;
+  SolverTraits m_solver;
+  Vector m_right_hand_side, m_solution;            // for one column
+  Eigen::MatrixXd m_right_hand_sides, m_solutions; // for blocks
+};
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_SHIFT_INVERTED_OPERATOR_H

@@ -1,0 +1,242 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/x86_distance_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// A spectral distance is the Euclidean distance of the rows of a matrix: of the eigenfunctions, the
+// columns, each multiplied with a factor that follows from its eigenvalue.
+
+inline void check_diffusion_time(double time)
+{
+  if (!(time >= 0) || !std::isfinite(time))
+    throw Input_error("a diffusion time is negative or not a finite number");
+}
+
+// Of increasing eigenvalues that are not zero; there may be none.
+inline Eigen::ArrayXd normalized(const Eigen::VectorXd& eigenvalues)
+{
+  return eigenvalues.array() / (eigenvalues.size() == 0 ? 1 : eigenvalues[0]);
+}
+
+// Eigen's own function for whole arrays never gets below 5e-309.
+inline Eigen::VectorXd exponential(const Eigen::ArrayXd& x)
+{
+  return x.unaryExpr([](double value) { return std::exp(value); });
+}
+
+// Eq. 8 of the paper. The factors of the differences, not of their squares, so that the range of
+// numbers ends where that of the distances does.
+inline Eigen::VectorXd diffusion_factors(const Eigen::VectorXd& eigenvalues, double time)
+{
+  return exponential(-time * normalized(eigenvalues));
+}
+
+// The same without the factor `exp(-t)` that all have in common: the first one is 1 at any time.
+inline Eigen::VectorXd relative_diffusion_factors(const Eigen::VectorXd& eigenvalues, double time)
+{
+  return exponential(-time * (normalized(eigenvalues) - 1));
+}
+
+// Eq. 9 of the paper.
+inline Eigen::VectorXd commute_time_factors(const Eigen::VectorXd& eigenvalues)
+{
+  return normalized(eigenvalues).inverse().sqrt();
+}
+
+// How many of the decreasing factors are more than `negligible`.
+inline Eigen::Index number_of_factors_above(const Eigen::VectorXd& factors, double negligible)
+{
+  return (factors.array() > negligible).count();
+}
+
+// The functions below read the matrix once, in blocks of rows that stay in the cache, at about the
+// speed of the memory. The numbers of the matrix may be `float` or `double`; all is computed in
+// `double`. Writes the squared distances of the rows from `begin` on to a point, one per entry of
+// `result`. The point consists of numbers of the matrix, not yet multiplied with the factors.
+template <class Matrix>
+void squared_distances(const Matrix& eigenfunctions,
+                       const Eigen::VectorXd& factors,
+                       const Eigen::RowVectorXd& point,
+                       Eigen::Index begin,
+                       Eigen::Ref<Eigen::ArrayXd> result)
+{
+  const auto squares = [&](Eigen::Index i) {
+    return (factors[i] *
+            (eigenfunctions.col(i).segment(begin, result.size()).array().template cast<double>() -
+             point[i]))
+        .square();
+  };
+  // Some columns at once, so that the sums are not fetched and stored for every one.
+  result.setZero();
+  Eigen::Index i = 0;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  if (x86::has_avx2()) {
+    using Columns = avx2::Columns<typename Matrix::Scalar>;
+    for (; i < factors.size(); i += Columns::number) {
+      Columns columns;
+      for (Eigen::Index k = 0; k < Columns::number; ++k) {
+        const Eigen::Index column = (std::min)(i + k, factors.size() - 1);
+        columns.begin[k] = &eigenfunctions.coeffRef(begin, column);
+        columns.factors[k] = i + k < factors.size() ? factors[column] : 0.;
+        columns.point[k] = point[column];
+      }
+      const Eigen::Index first_left_out = avx2::add_squares(columns, result.size(), result.data());
+      for (Eigen::Index row = first_left_out; row < result.size(); ++row)
+        for (Eigen::Index k = 0; k < Columns::number; ++k) {
+          const double difference =
+              columns.factors[k] * (double(columns.begin[k][row]) - columns.point[k]);
+          result[row] += difference * difference;
+        }
+    }
+  }
+#endif
+  for (; i + 4 <= factors.size(); i += 4)
+    result += (squares(i) + squares(i + 1)) + (squares(i + 2) + squares(i + 3));
+  for (; i < factors.size(); ++i)
+    result += squares(i);
+}
+
+template <class Matrix>
+Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
+                                  const Eigen::VectorXd& factors,
+                                  const Eigen::RowVectorXd& point)
+{
+  // The sums stay in the nearest cache, and the parts of the columns are so long that they are
+  // fetched in advance.
+  constexpr Eigen::Index rows_per_block = 4096;
+  Eigen::VectorXd result(eigenfunctions.rows());
+  for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
+    const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
+    squared_distances(eigenfunctions, factors, point, begin, result.segment(begin, size).array());
+  }
+  return result;
+}
+
+// For every row the largest of the squared distances to the rows of the sources; 0 if there are
+// none.
+//
+// With the first source y as origin, that to another one z is
+// |x - y|^2 + |z - y|^2 - 2 (x - y) (z - y), and these scalar products are a product of matrices.
+// The result r^2 is at least |x - y|^2, and |z - y| <= |x - z| + |x - y| <= 2 r. So no term is much
+// larger than the result, and nothing is lost in their sum, near sources or not.
+template <class Matrix>
+Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
+                                          const Eigen::VectorXd& factors,
+                                          const std::vector<std::size_t>& sources)
+{
+  const auto row = [&](std::size_t source) -> Eigen::RowVectorXd {
+    return eigenfunctions.row(static_cast<Eigen::Index>(source)).template cast<double>();
+  };
+  if (sources.empty())
+    return Eigen::VectorXd::Zero(eigenfunctions.rows());
+  const Eigen::RowVectorXd origin = row(sources.front());
+  if (sources.size() == 1)
+    return squared_distances(eigenfunctions, factors, origin);
+
+  // In groups of so many sources that all sums of a group stay in registers. Repeating the last
+  // source fills the last group.
+  constexpr std::size_t group_size = 4;
+  using Group = std::array<double, group_size>;
+  const std::size_t number_of_groups = (sources.size() - 2) / group_size + 1;
+  std::vector<Group> squared_norms(number_of_groups);
+  std::vector<std::vector<Group>> others(number_of_groups);
+  for (std::size_t g = 0; g < number_of_groups; ++g) {
+    others[g].resize(static_cast<std::size_t>(factors.size()));
+    for (std::size_t j = 0; j < group_size; ++j) {
+      const std::size_t other = (std::min)(1 + g * group_size + j, sources.size() - 1);
+      const Eigen::VectorXd moved =
+          factors.cwiseProduct((row(sources[other]) - origin).transpose());
+      squared_norms[g][j] = moved.squaredNorm();
+      for (Eigen::Index i = 0; i < factors.size(); ++i)
+        others[g][static_cast<std::size_t>(i)][j] = -2 * moved[i];
+    }
+  }
+
+  // All columns of a block stay in the cache; by the odd number of cache lines they share no place
+  // in it.
+  constexpr Eigen::Index rows_per_block = 120;
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+  static_assert(rows_per_block == avx2::Sources::rows, "the kernels take the same blocks");
+#endif
+  Eigen::VectorXd result(eigenfunctions.rows());
+  Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(rows_per_block, factors.size());
+  Eigen::ArrayXd excess(rows_per_block); // over the squared distance to the first source
+  for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
+    const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
+    auto block = result.segment(begin, size).array();
+    block.setZero();
+    for (Eigen::Index i = 0; i < factors.size(); ++i) {
+      // the part that follows in the column: the parts are too short to be fetched in advance
+      // otherwise
+      constexpr Eigen::Index numbers_per_line =
+          64 / static_cast<Eigen::Index>(sizeof(typename Matrix::Scalar));
+      const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());
+      for (Eigen::Index r = begin + rows_per_block; r < end; r += numbers_per_line)
+        prefetch(&eigenfunctions.coeffRef(r, i));
+      auto column = moved.col(i).head(size);
+      column =
+          factors[i] *
+          (eigenfunctions.col(i).segment(begin, size).array().template cast<double>() - origin[i]);
+      block += column.square();
+    }
+    excess.setZero();
+    using Rows = Eigen::Array<double, 4, 1>;
+    for (std::size_t g = 0; g < number_of_groups; ++g) {
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
+      if (x86::has_avx2()) {
+        avx2::take_largest_sums({factors.size(), others[g].front().data(), squared_norms[g].data()},
+                                moved.data(),
+                                excess.data());
+        continue;
+      }
+#endif
+      for (Eigen::Index r = 0; r < size; r += Rows::SizeAtCompileTime) {
+        Rows sum_0 = Rows::Constant(squared_norms[g][0]);
+        Rows sum_1 = Rows::Constant(squared_norms[g][1]);
+        Rows sum_2 = Rows::Constant(squared_norms[g][2]);
+        Rows sum_3 = Rows::Constant(squared_norms[g][3]);
+        for (Eigen::Index i = 0; i < factors.size(); ++i) {
+          const Rows x = moved.col(i).template segment<Rows::SizeAtCompileTime>(r);
+          const Group& y = others[g][static_cast<std::size_t>(i)];
+          sum_0 += x * y[0];
+          sum_1 += x * y[1];
+          sum_2 += x * y[2];
+          sum_3 += x * y[3];
+        }
+        auto largest = excess.template segment<Rows::SizeAtCompileTime>(r);
+        largest = largest.max(sum_0.max(sum_1).max(sum_2.max(sum_3)));
+      }
+    }
+    block += excess.head(size);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+// List of the named parameters of this package, in the form of CGAL's own list:
+// (type of the tag, value of the tag, name of the parameter).
+// There is no include guard: parameters.h includes this file several times.
+// A parameter that CGAL has already (vertex_point_map, vertex_index_map, geom_traits, random_seed,
+// callback, output_iterator, number_of_samples) is not repeated here.
+CGAL_add_named_parameter(number_of_eigenpairs_t, number_of_eigenpairs, number_of_eigenpairs)
+CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
+CGAL_add_named_parameter(use_intrinsic_Delaunay_t, use_intrinsic_Delaunay, use_intrinsic_Delaunay)
+CGAL_add_named_parameter(extend_to_gap_t, extend_to_gap, extend_to_gap)
+CGAL_add_named_parameter(accept_converged_part_t, accept_converged_part, accept_converged_part)
+CGAL_add_named_parameter(small_time_t, small_time, small_time)
+CGAL_add_named_parameter(large_time_t, large_time, large_time)
+CGAL_add_named_parameter(minima_as_feature_points_t,
+                         minima_as_feature_points,
+                         minima_as_feature_points)
+CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
+CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
+CGAL_add_named_parameter(loop_persistence_threshold_t,
+                         loop_persistence_threshold,
+                         loop_persistence_threshold)
+CGAL_add_named_parameter(number_of_leaves_t, number_of_leaves, number_of_leaves)
+CGAL_add_named_parameter(vertex_value_map_t, vertex_value_map, vertex_value_map)
+CGAL_add_named_parameter(vertex_arc_map_t, vertex_arc_map, vertex_arc_map)
+CGAL_add_named_parameter(face_arc_map_t, face_arc_map, face_arc_map)
+CGAL_add_named_parameter(collect_arc_vertices_t, collect_arc_vertices, collect_arc_vertices)
+CGAL_add_named_parameter(unfold_multiple_saddles_t,
+                         unfold_multiple_saddles,
+                         unfold_multiple_saddles)

@@ -1,0 +1,525 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs the command-line tool REEB_GRAPH_TOOL as a user would.
+
+#define BOOST_TEST_MODULE reeb_graph_tool
+
+#include "Index_mesh.h"
+#include "random_meshes.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/wait.h>
+
+using namespace Reeb_graph_test;
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+namespace fs = std::filesystem;
+
+// A folder of files that goes with the test.
+struct Folder
+{
+  fs::path path;
+
+  Folder()
+  {
+    std::random_device device;
+    path = fs::temp_directory_path() / ("reeb_graph_tool_" + std::to_string(device()));
+    fs::create_directory(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+
+  std::string file(const std::string& name) const { return (path / name).string(); }
+
+  std::string write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream(file(name), std::ios::binary) << content;
+    return file(name);
+  }
+
+  std::string write(const std::string& name, const Index_mesh& mesh) const
+  {
+    Mesh m;
+    std::vector<Mesh::Vertex_index> vertices;
+    make_mesh(mesh, m, vertices);
+    BOOST_REQUIRE(
+        CGAL::IO::write_polygon_mesh(file(name), m, CGAL::parameters::stream_precision(17)));
+    return file(name);
+  }
+};
+
+std::string content(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  BOOST_REQUIRE(in);
+  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+}
+
+std::size_t count(const std::string& text, const std::string& what)
+{
+  std::size_t number = 0;
+  for (std::size_t i = text.find(what); i != std::string::npos; i = text.find(what, i + 1))
+    ++number;
+  return number;
+}
+
+struct Run
+{
+  int status;
+  std::string out, error;
+};
+
+Run run(const Folder& folder, const std::string& arguments)
+{
+  const std::string command = std::string("'") + REEB_GRAPH_TOOL + "' " + arguments + " > '" +
+                              folder.file("stdout") + "' 2> '" + folder.file("stderr") + "'";
+  const int status = std::system(command.c_str());
+  return {status, content(folder.file("stdout")), content(folder.file("stderr"))};
+}
+
+nlohmann::json report(const Folder& folder, const std::string& arguments)
+{
+  const Run r = run(folder, arguments + " --report json");
+  BOOST_TEST(r.error == "");
+  BOOST_REQUIRE(r.status == 0);
+  return nlohmann::json::parse(r.out);
+}
+
+// One line on the error stream that has all the given words in it, and nothing else.
+void check_error(const Folder& folder,
+                 const std::string& arguments,
+                 const std::vector<std::string>& words)
+{
+  BOOST_TEST_CONTEXT("reeb_graph " << arguments)
+  {
+    const Run r = run(folder, arguments);
+    BOOST_TEST(r.status != 0);
+    BOOST_TEST(WIFEXITED(r.status)); // no signal
+    BOOST_TEST(r.out == "");
+    BOOST_TEST(count(r.error, "\n") == 1u);
+    for (const std::string& word : words)
+      BOOST_TEST(r.error.find(word) != std::string::npos, r.error << " does not say " << word);
+  }
+}
+
+std::vector<double> numbers(const std::string& file)
+{
+  std::ifstream in(file);
+  return std::vector<double>(std::istream_iterator<double>(in), std::istream_iterator<double>());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
+{
+  const Folder folder;
+  const std::string mesh = folder.write("torus.off", torus(24, 12));
+  const nlohmann::json j = report(folder, "'" + mesh + "'");
+
+  std::vector<std::string> keys, seconds;
+  for (const auto& item : j.items())
+    keys.push_back(item.key());
+  std::vector<std::string> expected = {"vertices",
+                                       "faces",
+                                       "components",
+                                       "nodes",
+                                       "arcs",
+                                       "loops",
+                                       "minima",
+                                       "maxima",
+                                       "splits",
+                                       "merges",
+                                       "degenerate",
+                                       "feature_points",
+                                       "seconds",
+                                       "eigenvalues"};
+  std::sort(expected.begin(), expected.end());
+  BOOST_TEST(keys == expected, boost::test_tools::per_element());
+  for (const auto& item : j["seconds"].items())
+    seconds.push_back(item.key());
+  expected = {"eigenbasis", "function", "read", "reeb_graph", "simplify", "write"};
+  BOOST_TEST(seconds == expected, boost::test_tools::per_element());
+
+  BOOST_TEST(j["vertices"] == 288);
+  BOOST_TEST(j["faces"] == 576);
+  BOOST_TEST(j["components"] == 1);
+  BOOST_TEST(j["loops"] == 1);
+  BOOST_TEST(j["nodes"].get<int>() == j["minima"].get<int>() + j["maxima"].get<int>() +
+                                          j["splits"].get<int>() + j["merges"].get<int>() +
+                                          j["degenerate"].get<int>());
+  BOOST_TEST(j["eigenvalues"].size() == 1u);
+  BOOST_TEST(j["eigenvalues"][0].size() >= 50u);
+  BOOST_TEST(j["eigenvalues"][0][0].get<double>() > 0);
+  BOOST_TEST(j["feature_points"].size() >= 1u);
+  for (const auto& v : j["feature_points"])
+    BOOST_TEST(v.get<std::size_t>() < 288u);
+  BOOST_TEST(j["seconds"]["eigenbasis"].is_number());
+}
+
+BOOST_AUTO_TEST_CASE(reads_all_formats)
+{
+  const Folder folder;
+  const Index_mesh mesh = torus(20, 10);
+  for (const std::string type : {"off", "obj", "ply", "stl"}) {
+    const std::string file = folder.write("torus." + type, mesh);
+    const nlohmann::json j = report(folder, "'" + file + "' --function height --axis 1,0.3,0.1");
+    BOOST_TEST(j["vertices"] == 200);
+    BOOST_TEST(j["nodes"] == 4);
+    BOOST_TEST(j["arcs"] == 4);
+    BOOST_TEST(j["loops"] == 1);
+    BOOST_TEST(j["eigenvalues"].size() == 0u);
+    BOOST_TEST(j["feature_points"].size() == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(writes_all_files)
+{
+  const Folder folder;
+  Index_mesh input = torus(24, 12);
+  input.points.push_back({9, 9, 9}); // an isolated vertex
+  const std::string mesh = folder.write("torus.off", input);
+  const std::string prefix = folder.file("result");
+  const nlohmann::json j =
+      report(folder, "'" + mesh + "' --function height --axis 1,0.3,0.1 --output '" + prefix + "'");
+  const std::size_t nodes = j["nodes"], arcs = j["arcs"];
+  BOOST_TEST(nodes == 5u);
+  BOOST_TEST(j["components"] == 2);
+  BOOST_TEST(j["degenerate"] == 1); // the isolated one
+
+  const std::vector<double> values = numbers(prefix + ".values.txt");
+  BOOST_REQUIRE(values.size() == 289u);
+  const double length = std::sqrt(1 + 0.09 + 0.01);
+  for (std::size_t v = 0; v < 289; ++v) {
+    const auto& p = input.points[v];
+    BOOST_TEST(values[v] == (p[0] + 0.3 * p[1] + 0.1 * p[2]) / length,
+               boost::test_tools::tolerance(1e-12));
+  }
+
+  const std::string graphml = content(prefix + ".graphml");
+  BOOST_TEST(count(graphml, "<node ") == nodes);
+  BOOST_TEST(count(graphml, "<edge ") == arcs);
+  for (const std::string name :
+       {"id", "mesh_vertex", "value", "type", "x", "y", "z", "number_of_vertices"})
+    BOOST_TEST(count(graphml, "attr.name=\"" + name + "\"") >= 1u);
+  BOOST_TEST(count(graphml, ">minimum<") == 1u);
+
+  const std::string dot = content(prefix + ".dot");
+  BOOST_TEST(count(dot, "--") == arcs);
+  BOOST_TEST(count(dot, "mesh_vertex=") == nodes);
+
+  // a line per arc, from node to node
+  std::istringstream polylines(content(prefix + ".polylines.txt"));
+  std::size_t lines = 0;
+  for (std::string line; std::getline(polylines, line); ++lines) {
+    std::istringstream in(line);
+    std::size_t size;
+    in >> size;
+    const std::vector<double> coordinates{std::istream_iterator<double>(in),
+                                          std::istream_iterator<double>()};
+    BOOST_TEST(size >= 2u);
+    BOOST_TEST(coordinates.size() == 3 * size);
+  }
+  BOOST_TEST(lines == arcs);
+
+  Mesh ply;
+  std::ifstream in(prefix + ".ply", std::ios::binary);
+  BOOST_REQUIRE(CGAL::IO::read_PLY(in, ply));
+  BOOST_TEST(ply.number_of_vertices() == 289u);
+  BOOST_TEST(ply.number_of_faces() == 576u);
+  const auto colors = ply.property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  const auto arc_numbers = ply.property_map<Mesh::Vertex_index, int>("v:arc").first;
+  std::size_t lowest = 0, highest = 0;
+  for (std::size_t v = 0; v < 289; ++v) {
+    lowest = values[v] < values[lowest] ? v : lowest;
+    highest = values[v] > values[highest] ? v : highest;
+    const int arc = arc_numbers[Mesh::Vertex_index(static_cast<unsigned>(v))];
+    BOOST_TEST((v == 288 ? arc == -1 : 0 <= arc && arc < static_cast<int>(arcs)));
+  }
+  BOOST_TEST(
+      (colors[Mesh::Vertex_index(static_cast<unsigned>(lowest))] == CGAL::IO::Color(255, 0, 0)));
+  BOOST_TEST(
+      (colors[Mesh::Vertex_index(static_cast<unsigned>(highest))] == CGAL::IO::Color(0, 0, 255)));
+
+  const std::string vtp = content(prefix + ".vtp");
+  BOOST_TEST(count(vtp, "NumberOfPoints=\"289\" NumberOfPolys=\"576\"") == 1u);
+  BOOST_TEST(count(vtp, "Name=\"value\"") == 1u);
+  BOOST_TEST(count(vtp, "Name=\"arc\"") == 1u);
+  BOOST_TEST(count(vtp, "</VTKFile>") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(values_of_the_user_as_text_and_binary)
+{
+  const Folder folder;
+  const Index_mesh mesh = closed_surface(2, 6, 5);
+  const std::string file = folder.write("mesh.off", mesh);
+  std::mt19937 rng(11);
+  const std::vector<double> values = random_values(mesh.points.size(), rng);
+  std::ostringstream text;
+  text.precision(17);
+  std::string binary;
+  for (const double value : values) {
+    text << value << '\n';
+    char bytes[8]; // this machine's doubles are taken to be little-endian
+    std::memcpy(bytes, &value, 8);
+    binary.append(bytes, 8);
+  }
+  folder.write("values.txt", text.str());
+  folder.write("values.f64", binary);
+
+  nlohmann::json from_text = report(folder,
+                                    "'" + file + "' --values '" + folder.file("values.txt") +
+                                        "' --output '" + folder.file("a") + "'");
+  nlohmann::json from_binary = report(folder,
+                                      "'" + file + "' --values '" + folder.file("values.f64") +
+                                          "' --output '" + folder.file("b") + "'");
+  from_text.erase("seconds");
+  from_binary.erase("seconds");
+  BOOST_TEST((from_text == from_binary));
+  BOOST_TEST(from_text["nodes"].get<int>() > 4);
+  BOOST_TEST(content(folder.file("a.values.txt")) == content(folder.file("b.values.txt")));
+  BOOST_TEST(numbers(folder.file("a.values.txt")) == values, boost::test_tools::per_element());
+
+  const nlohmann::json simplified =
+      report(folder, "'" + file + "' --simplify 2 --values '" + folder.file("values.txt") + "'");
+  BOOST_TEST(simplified["minima"] == 1);
+  BOOST_TEST(simplified["maxima"] == 1);
+  BOOST_TEST(simplified["loops"] == from_text["loops"]);
+}
+
+BOOST_AUTO_TEST_CASE(bad_values_are_one_line_of_error)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", sphere(1)) + "' --values ";
+  std::string good;
+  for (int i = 0; i < 42; ++i)
+    good += std::to_string(i) + ' ';
+  const auto check =
+      [&](const std::string& name, const std::string& text, const std::vector<std::string>& words) {
+        const std::string file = folder.write(name, text);
+        std::vector<std::string> all = words;
+        all.push_back(file);
+        check_error(folder, mesh + "'" + file + "'", all);
+      };
+  report(folder, mesh + "'" + folder.write("good.txt", good) + "'");
+  check("empty.txt", "", {"0 values", "42 vertices"});
+  check("short.txt", "1 2 3\n", {"3 values", "42 vertices"});
+  check("long.txt", good + "42", {"43 values"});
+  check("word.txt", "1 2 three", {"value 2", "three"});
+  check("nan.txt", "nan " + good.substr(2), {"vertex 0", "not a number"});
+  check("half.f64", std::string(42 * 8 - 3, 'x'), {"incomplete"});
+  check("short.f64", std::string(41 * 8, 'x'), {"41 values"});
+  check("nan.f64", std::string(42 * 8, '\xff'), {"vertex 0", "not a number"});
+  check_error(folder, mesh + "'" + folder.file("none.txt") + "'", {"none.txt", "opened"});
+  check_error(folder, mesh + "'" + folder.path.string() + "'", {"opened"});
+
+  // infinite values are values
+  const nlohmann::json j =
+      report(folder, mesh + "'" + folder.write("inf.txt", "inf -inf " + good.substr(4)) + "'");
+  BOOST_TEST(j["loops"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
+{
+  const Folder folder;
+  const auto check =
+      [&](const std::string& name, const std::string& text, const std::vector<std::string>& words) {
+        std::vector<std::string> all = words;
+        all.push_back(folder.write(name, text));
+        check_error(folder, "'" + folder.file(name) + "'", all);
+      };
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  check("empty.off", "", {"empty"});
+  check("type.xyz", "OFF\n", {"unknown type"});
+  check("garbage.off", "no mesh at all", {"cannot be read"});
+  check("truncated.off", "OFF\n4 4 0\n" + points + "3 0 1 2\n", {"cannot be read"});
+  check("index.off", "OFF\n4 1 0\n" + points + "3 0 1 7\n", {"cannot be read"});
+  check("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {"cannot be read"});
+  check("edge.off",
+        "OFF\n5 3 0\n" + points + "0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
+        {"between vertices 0 and 1", "3 faces"});
+  check("twice.off", "OFF\n4 1 0\n" + points + "3 0 1 1\n", {"same vertex twice"});
+  check_error(folder, "'" + folder.file("none.off") + "'", {"none.off", "opened"});
+  check_error(folder, "'" + folder.path.string() + "'", {"opened"});
+  // a function that needs an area
+  check("point.off", "OFF\n3 1 0\n1 2 3\n1 2 3\n1 2 3\n3 0 1 2\n", {"no area"});
+
+  check("moebius.off",
+        "OFF\n6 6 0\n" + points + "1 1 0\n1 0 1\n" +
+            "3 0 1 2\n3 1 3 2\n3 2 3 4\n3 3 5 4\n3 4 5 1\n3 5 0 1\n",
+        {"one side"});
+  check("fans.off",
+        "OFF\n7 8 0\n" + points + "-1 0 0\n0 -1 0\n0 0 -1\n" +
+            "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n3 0 6 4\n3 0 5 6\n3 4 6 5\n",
+        {"several fans"});
+  check("hello.stl", "hello", {"no vertices"});
+  check_error(folder,
+              "'" + folder.write("four.off", sphere(0)) + "' --function eigenfunction --index 100",
+              {"four.off", "no eigenfunction 100"});
+
+  // no errors: an empty mesh, points only, quadrangles
+  BOOST_TEST(report(folder, "'" + folder.write("none.off", "OFF\n0 0 0\n") + "'")["nodes"] == 0);
+  BOOST_TEST(
+      report(folder,
+             "'" + folder.write("points.off", "OFF\n4 0 0\n" + points) + "'")["components"] == 4);
+  const nlohmann::json quad = report(
+      folder,
+      "'" + folder.write("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n") + "'");
+  BOOST_TEST(quad["faces"] == 2);
+}
+
+// Faces that are oriented anyhow, and lines beside the faces. The order of the vertices stays.
+BOOST_AUTO_TEST_CASE(meshes_that_need_repair_are_read)
+{
+  const Folder folder;
+  Index_mesh mesh = torus(24, 12);
+  std::ostringstream off, obj, values;
+  off << "OFF\n" << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
+  std::mt19937 rng(1);
+  for (const auto& p : mesh.points) {
+    off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    obj << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    values << rng() << '\n';
+  }
+  obj << "l 1 2 3\n";
+  for (const auto& t : mesh.triangles) {
+    const std::size_t turn = rng() % 2;
+    off << "3 " << t[0] << ' ' << t[1 + turn] << ' ' << t[2 - turn] << '\n';
+    obj << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+  const std::string options = " --values '" + folder.write("values.txt", values.str()) + "'";
+  const nlohmann::json expected =
+      report(folder, "'" + folder.write("good.off", mesh) + "'" + options);
+  for (const std::string& file :
+       {folder.write("turned.off", off.str()), folder.write("line.obj", obj.str())})
+  {
+    const nlohmann::json found = report(folder, "'" + file + "'" + options);
+    for (const char* key : {"vertices", "faces", "nodes", "arcs", "loops", "minima", "splits"})
+      BOOST_TEST(found[key] == expected[key], file << ", " << key);
+  }
+}
+
+// What is likely to surprise is said.
+BOOST_AUTO_TEST_CASE(text_report)
+{
+  const Folder folder;
+  const std::string mesh = folder.write("cracked.off",
+                                        "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n0 1 0\n"
+                                        "1 1 0\n5 5 5\n3 0 1 2\n3 3 5 4\n");
+  const Run r = run(folder, "'" + mesh + "' --function height --axis 1,0.1,0");
+  BOOST_TEST(r.status == 0);
+  for (const char* text : {"7 vertices, 2 faces, 3 components, 2 borders\n",
+                           "at 5 different points",
+                           "5 nodes, 2 arcs, 0 loops",
+                           "isolated 1, degenerate 0"})
+    BOOST_TEST(r.out.find(text) != std::string::npos, r.out << " does not say " << text);
+}
+
+BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", sphere(1)) + "' ";
+  check_error(folder, "", {"mesh"});
+  check_error(folder, mesh + "--no-such-option 3", {"no-such-option"});
+  check_error(folder, mesh + "--function shape", {"shape", "commute_time", "height"});
+  check_error(folder, mesh + "--function height --axis 1,2", {"--axis", "1,2"});
+  check_error(folder, mesh + "--function height --axis 0,0,0", {"axis", "direction"});
+  check_error(folder, mesh + "--function eigenfunction --index 0", {"--index"});
+  check_error(folder, mesh + "--function eigenfunction --index 42", {"eigenfunction 42"});
+  check_error(folder, mesh + "--eigenpairs 0", {"--eigenpairs"});
+  check_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
+  check_error(folder, mesh + "--simplify -0.1", {"--simplify"});
+  check_error(folder, mesh + "--close-loops nan", {"--close-loops"});
+  check_error(folder, mesh + "--leaves -1", {"--leaves"});
+  check_error(folder, mesh + "--diagram '" + folder.file("no/such/x.pers") + "'", {"x.pers"});
+  check_error(folder, mesh + "--small-time nan", {"--small-time"});
+  check_error(folder, mesh + "--large-time -1", {"--large-time"});
+  check_error(folder, mesh + "--report xml", {"xml"});
+  check_error(
+      folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});
+
+  const Run help = run(folder, "--help");
+  BOOST_TEST(help.status == 0);
+  for (const std::string option : {"--function",
+                                   "--axis",
+                                   "--index",
+                                   "--values",
+                                   "--simplify",
+                                   "--close-loops",
+                                   "--leaves",
+                                   "--unfold",
+                                   "--diagram",
+                                   "--eigenpairs",
+                                   "--small-time",
+                                   "--large-time",
+                                   "--output",
+                                   "--report"})
+    BOOST_TEST(count(help.out, option + " ") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(options_of_the_graph_arrive)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", torus(30, 14)) + "' ";
+  std::mt19937 rng(1);
+  std::string noise;
+  for (int i = 0; i < 420; ++i)
+    noise += std::to_string(random_unit(rng)) + '\n';
+  const std::string noisy = mesh + "--values '" + folder.write("noise.txt", noise) + "' ";
+
+  const nlohmann::json graph =
+      report(folder, noisy + "--unfold --diagram '" + folder.file("pairs.pers") + "'");
+  BOOST_TEST(graph["loops"] == 1);
+  // two nodes make a pair
+  const std::string pairs = content(folder.file("pairs.pers"));
+  BOOST_TEST(count(pairs, "\n") - count(pairs, "#") == graph["nodes"].get<std::size_t>() / 2);
+
+  const nlohmann::json few_leaves = report(folder, noisy + "--unfold --leaves 5");
+  BOOST_TEST(few_leaves["minima"].get<int>() + few_leaves["maxima"].get<int>() == 5);
+  BOOST_TEST(few_leaves["loops"] == 1);
+  BOOST_TEST(report(folder, noisy + "--unfold --close-loops 2")["loops"] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(options_of_the_spectral_functions_arrive)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", torus(30, 14)) + "' ";
+  const nlohmann::json j = report(folder, mesh + "--eigenpairs 7");
+  BOOST_TEST(j["eigenvalues"][0].size() >= 7u);
+  BOOST_TEST(j["eigenvalues"][0].size() <= 9u);
+  const nlohmann::json k = report(folder, mesh + "--function eigenfunction --index 1");
+  BOOST_TEST(k["feature_points"].size() == 0u);
+  BOOST_TEST(k["loops"] == 1);
+  BOOST_TEST(k["minima"] == 1);
+  BOOST_TEST(k["maxima"] == 1);
+
+  report(folder, mesh + "--output '" + folder.file("a") + "'");
+  const std::vector<double> a = numbers(folder.file("a.values.txt"));
+  BOOST_TEST(a.size() == 420u);
+  for (const double value : a)
+    BOOST_TEST(std::isfinite(value));
+  const Run text = run(folder, mesh);
+  BOOST_TEST(text.status == 0);
+  BOOST_TEST(count(text.out, "420 vertices") == 1u);
+}
