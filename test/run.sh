@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all tests, from nothing: installs what is missing, builds everything in Release mode and runs
+# Runs all tests, from nothing: installs what is missing, builds everything, with assertions, and runs
 # ctest. Prints what fails, and a last line "N passed, N failed".
 #
 #   test/run.sh [OPTION]...     options for CMake
@@ -14,10 +14,10 @@ prepare()
   install_missing g++ cmake make libcgal-dev libeigen3-dev libspectra-dev libboost-dev \
     libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev &&
     find_cgal_data &&
-    configure release -D SURFACE_MESH_REEB_GRAPH_BUILD_EXAMPLES=ON \
+    configure test -D SURFACE_MESH_REEB_GRAPH_BUILD_EXAMPLES=ON \
       -D SURFACE_MESH_REEB_GRAPH_BUILD_TESTS=ON "$@" &&
     progress "Building the tests (some minutes the first time) ..." &&
-    build release
+    build test
 }
 
 start_log "$root/build/test_run.log"
@@ -26,4 +26,4 @@ if ! prepare "$@"; then
   exit 1
 fi
 progress "Running the tests ..."
-run_tests release
+run_tests test
