@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# Checks the layout of the headers and of the tests: no room of internal/ includes a later one, or a
+# user header that may include it; no two headers have the same name; no file of the tests is longer
+# than 700 lines. The last line is "N passed, N failed"; what fails is shown.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+package=$root/include/CGAL/Surface_mesh_Reeb_graph
+
+passed=0
+failed=0
+
+# expect_none NAME LINES: there must be none
+expect_none()
+{
+  if [ -z "$2" ]; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "FAILED $1:"
+    echo "$2"
+  fi
+}
+
+# Which rooms a room may include, itself apart.
+declare -A earlier_rooms=(
+  [util]=""
+  [mesh]="util"
+  [graph]="util mesh"
+  [construction]="util mesh graph"
+  [persistence]="util mesh graph"
+  [simplification]="util mesh graph construction persistence"
+  [cholesky]="util"
+  [spectral]="util mesh cholesky"
+)
+
+# User headers with nothing but types that every room may know; and the default direct solver, which
+# belongs to cholesky/.
+common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|exceptions"
+
+unknown=""
+for folder in "$package"/internal/*/; do
+  room=$(basename "$folder")
+  if [ -z "${earlier_rooms[$room]+set}" ]; then
+    unknown+="$room"$'\n'
+    continue
+  fi
+  allowed=${earlier_rooms[$room]// /|}
+  expect_none "$room includes only what comes before" "$(
+    grep -E '#include <CGAL/[Ss]urface_mesh_Reeb_graph' "$folder"*.h | sed "s|^$folder||" |
+      grep -vE "<CGAL/Surface_mesh_Reeb_graph/(internal/($room${allowed:+|$allowed})/|($common_headers)\.h)" ||
+      true
+  )"
+done
+expect_none "rooms that nobody knows" "$unknown"
+
+expect_none "headers of the same name" "$(
+  find "$root/include" -name '*.h' -printf '%f\n' | tr '[:upper:]' '[:lower:]' | sort | uniq -d |
+    grep -vx 'surface_mesh_reeb_graph\.h' || true
+)"
+
+expect_none "test files of more than 700 lines" "$(
+  find "$root/test" -name '*.cpp' -o -name '*.h' | while read -r file; do
+    lines=$(wc -l < "$file")
+    if [ "$lines" -gt 700 ]; then
+      echo "${file#"$root"/}: $lines lines"
+    fi
+  done
+)"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
