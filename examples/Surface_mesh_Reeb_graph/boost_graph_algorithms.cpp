@@ -51,7 +51,7 @@ int main(int argc, char* argv[])
   // difference of their values
   std::vector<Node> tips;
   for (const Node node : CGAL::make_range(vertices(graph)))
-    if (graph[node].type == SMRG::MAXIMUM)
+    if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM)
       tips.push_back(node);
   if (tips.size() >= 2) {
     const auto length = boost::make_function_property_map<Arc>([&graph](Arc arc) {

@@ -36,9 +36,9 @@ int main(int argc, char* argv[])
   const SMRG::Level_set_components components(mesh, height);
   std::vector<SMRG::Level_set_component<Mesh>> curves;
   for (const auto node : CGAL::make_range(vertices(graph))) {
-    if (graph[node].type == SMRG::MERGE_SADDLE)
+    if (graph[node].type == SMRG::Reeb_node_type::MERGE_SADDLE)
       components.below(graph[node].vertex, std::back_inserter(curves));
-    else if (graph[node].type == SMRG::SPLIT_SADDLE)
+    else if (graph[node].type == SMRG::Reeb_node_type::SPLIT_SADDLE)
       components.above(graph[node].vertex, std::back_inserter(curves));
   }
 

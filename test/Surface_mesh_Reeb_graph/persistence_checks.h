@@ -111,11 +111,13 @@ inline std::vector<Extended_pair> comparable_pairs(const std::vector<Pair>& pair
 {
   std::vector<Extended_pair> result;
   for (const Pair& pair : pairs) {
-    const Extended_kind kind = pair.kind == SMRG::MINIMUM_PAIR   ? ORDINARY
-                               : pair.kind == SMRG::MAXIMUM_PAIR ? RELATIVE
-                                                                 : EXTENDED;
-    const int dimension =
-        pair.kind == SMRG::MINIMUM_PAIR || pair.kind == SMRG::COMPONENT_PAIR ? 0 : 1;
+    const Extended_kind kind = pair.kind == SMRG::Persistence_pair_kind::MINIMUM   ? ORDINARY
+                               : pair.kind == SMRG::Persistence_pair_kind::MAXIMUM ? RELATIVE
+                                                                                   : EXTENDED;
+    const int dimension = pair.kind == SMRG::Persistence_pair_kind::MINIMUM ||
+                                  pair.kind == SMRG::Persistence_pair_kind::COMPONENT
+                              ? 0
+                              : 1;
     result.push_back({kind, dimension, pair.birth, pair.death});
   }
   std::sort(result.begin(), result.end());

@@ -357,9 +357,9 @@ void check_places_of_nodes(const Shape& shape, const Graph& graph, const std::si
   std::multiset<int> tips;
   for (const auto node : CGAL::make_range(vertices(graph))) {
     const Vector& p = shape.straight_point(graph[node].vertex);
-    if (graph[node].type == SMRG::MAXIMUM)
+    if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM)
       tips.insert(limb_with_tip_at(p, limbs));
-    if (graph[node].type == SMRG::MINIMUM)
+    if (graph[node].type == SMRG::Reeb_node_type::MINIMUM)
       // less than half of the way to the nearest tip
       BOOST_TEST((std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) < 3.5);
   }
@@ -476,7 +476,7 @@ BOOST_AUTO_TEST_CASE(values_at_tips_do_not_depend_on_pose_and_triangulation)
     std::vector<double> values(6, 0);
     for (const auto node : CGAL::make_range(vertices(graph))) {
       const int limb = limb_with_tip_at(shape.straight_point(graph[node].vertex), 6);
-      if (graph[node].type == SMRG::MAXIMUM && limb >= 0)
+      if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM && limb >= 0)
         values[static_cast<std::size_t>(limb)] = graph[node].value;
     }
     if (first.empty())
@@ -587,7 +587,7 @@ BOOST_AUTO_TEST_CASE(every_component_has_the_graph_that_it_has_alone)
   BOOST_TEST(arcs[isolated] == SMRG::null_arc);
   std::size_t isolated_nodes = 0;
   for (const auto node : CGAL::make_range(vertices(graph)))
-    if (graph[node].type == SMRG::ISOLATED) {
+    if (graph[node].type == SMRG::Reeb_node_type::ISOLATED) {
       ++isolated_nodes;
       BOOST_TEST(graph[node].vertex == isolated);
     }
@@ -782,7 +782,7 @@ BOOST_FIXTURE_TEST_CASE(arcs_of_vertices_agree_with_vertices_of_arcs, Fixture)
     if (threshold > 0) {
       std::set<std::size_t> arcs_of_tips;
       for (const auto node : CGAL::make_range(vertices(graph)))
-        if (graph[node].type == SMRG::MAXIMUM)
+        if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM)
           arcs_of_tips.insert(arcs[graph[node].vertex]);
       BOOST_TEST(arcs_of_tips.size() == 4);
     }

@@ -102,7 +102,7 @@ std::size_t number_of_loops(const Graph& graph, const Index_mesh& mesh)
 bool has_simple_saddles(const Graph& graph)
 {
   for (const auto node : CGAL::make_range(vertices(graph)))
-    if (graph[node].type == SMRG::DEGENERATE)
+    if (graph[node].type == SMRG::Reeb_node_type::DEGENERATE)
       return false;
   return true;
 }
@@ -320,10 +320,10 @@ BOOST_AUTO_TEST_CASE(loops_equal_genus_and_nodes_the_Euler_characteristic)
     const Graph graph = reeb_graph(c);
     BOOST_TEST(num_vertices(graph) == 4u);
     BOOST_TEST(number_of_loops(graph, mesh) == 1u);
-    BOOST_TEST(graph[0].type == SMRG::MINIMUM);
-    BOOST_TEST(graph[1].type == SMRG::SPLIT_SADDLE);
-    BOOST_TEST(graph[2].type == SMRG::MERGE_SADDLE);
-    BOOST_TEST(graph[3].type == SMRG::MAXIMUM);
+    BOOST_TEST(graph[0].type == SMRG::Reeb_node_type::MINIMUM);
+    BOOST_TEST(graph[1].type == SMRG::Reeb_node_type::SPLIT_SADDLE);
+    BOOST_TEST(graph[2].type == SMRG::Reeb_node_type::MERGE_SADDLE);
+    BOOST_TEST(graph[3].type == SMRG::Reeb_node_type::MAXIMUM);
   }
 }
 
@@ -556,7 +556,7 @@ BOOST_AUTO_TEST_CASE(empty_mesh_gives_an_empty_graph)
   BOOST_TEST(num_vertices(graph) == 3u);
   BOOST_TEST(num_edges(graph) == 0u);
   for (std::size_t i = 0; i < 3; ++i)
-    BOOST_TEST(graph[i].type == SMRG::ISOLATED);
+    BOOST_TEST(graph[i].type == SMRG::Reeb_node_type::ISOLATED);
 }
 
 // Two vertices that are neighbors of all others, with a great many wedges each: nothing may take

@@ -841,7 +841,7 @@ BOOST_AUTO_TEST_CASE(types_of_arc_numbers)
                                   graph.nodes.end(),
                                   [&](const Plain_node& node) {
                                     return node.vertex + 1 == mesh.points.size() &&
-                                           node.type == SMRG::ISOLATED;
+                                           node.type == SMRG::Reeb_node_type::ISOLATED;
                                   }),
                     1);
   check_equal(scalar_result<Graph, int>(input, scalar_map), expected);
@@ -860,7 +860,7 @@ struct My_node
   std::string name = "unset";
   Vertex vertex;
   std::size_t id = 99;
-  SMRG::Reeb_node_type type = SMRG::DEGENERATE;
+  SMRG::Reeb_node_type type = SMRG::Reeb_node_type::DEGENERATE;
   double value = -99;
   std::vector<int> more;
 };
@@ -1344,7 +1344,7 @@ BOOST_AUTO_TEST_CASE(only_isolated_vertices)
   SMRG::commute_time_Reeb_graph(input.mesh, graph);
   BOOST_CHECK_EQUAL(num_vertices(graph), 2u);
   BOOST_CHECK_EQUAL(num_edges(graph), 0u);
-  BOOST_CHECK_EQUAL(graph[0].type, SMRG::ISOLATED);
+  BOOST_CHECK_EQUAL(graph[0].type, SMRG::Reeb_node_type::ISOLATED);
 }
 
 // Infinite values are ordered as such: like very large ones.

@@ -495,7 +495,7 @@ BOOST_AUTO_TEST_CASE(cutting_a_torus_at_its_saddles)
   const Case c(mesh, heights(mesh, {1, 0.15, 0.005}));
   Graph graph;
   SMRG::compute_Reeb_graph(c.mesh, c.values, graph);
-  BOOST_REQUIRE(graph[2].type == SMRG::MERGE_SADDLE);
+  BOOST_REQUIRE(graph[2].type == SMRG::Reeb_node_type::MERGE_SADDLE);
   const Components components(c.mesh, c.values);
   const std::vector<Component> below_merge = below(components, graph[2].vertex);
   const std::vector<Component> above_split = above(components, graph[1].vertex);

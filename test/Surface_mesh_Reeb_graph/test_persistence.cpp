@@ -49,7 +49,7 @@ std::size_t number_of_loops(const Graph& graph)
 {
   std::size_t loops = 0;
   for (const Pair& pair : Reeb_graph_test::pairs_of(graph))
-    loops += pair.kind == SMRG::LOOP_PAIR ? 1 : 0;
+    loops += pair.kind == SMRG::Persistence_pair_kind::LOOP ? 1 : 0;
   return loops;
 }
 
@@ -131,20 +131,20 @@ BOOST_AUTO_TEST_CASE(pairs_of_random_graphs_are_those_of_the_matrix)
           BOOST_TEST((std::make_tuple(pairs[i - 1].kind, pairs[i - 1].birth, pairs[i - 1].death) <=
                       std::make_tuple(pair.kind, pair.birth, pair.death)));
         switch (pair.kind) {
-        case SMRG::MINIMUM_PAIR:
+        case SMRG::Persistence_pair_kind::MINIMUM:
           BOOST_TEST(down[pair.birth] == 0u);
           ++from_below[pair.death];
           break;
-        case SMRG::MAXIMUM_PAIR:
+        case SMRG::Persistence_pair_kind::MAXIMUM:
           BOOST_TEST(up[pair.birth] == 0u);
           ++from_above[pair.death];
           break;
-        case SMRG::COMPONENT_PAIR:
+        case SMRG::Persistence_pair_kind::COMPONENT:
           BOOST_TEST(down[pair.birth] == 0u);
           BOOST_TEST(up[pair.death] == 0u);
           ++components;
           break;
-        case SMRG::LOOP_PAIR:
+        case SMRG::Persistence_pair_kind::LOOP:
           ++from_below[pair.birth];
           ++from_above[pair.death];
           ++loops;
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(any_graph_type_will_do)
     std::size_t id = 0;
     Vertex vertex = {};
     std::int64_t value = 0;
-    SMRG::Reeb_node_type type = SMRG::ISOLATED;
+    SMRG::Reeb_node_type type = SMRG::Reeb_node_type::ISOLATED;
     std::string name = {};
   };
   struct My_arc
@@ -281,10 +281,10 @@ BOOST_AUTO_TEST_CASE(any_graph_type_will_do)
   std::vector<SMRG::Persistence_pair<My_graph>> pairs;
   SMRG::persistence_pairs(graph, std::back_inserter(pairs));
   BOOST_REQUIRE(pairs.size() == 2u);
-  BOOST_TEST(pairs[0].kind == SMRG::COMPONENT_PAIR);
+  BOOST_TEST(pairs[0].kind == SMRG::Persistence_pair_kind::COMPONENT);
   BOOST_TEST((pairs[0].birth == nodes[1] && pairs[0].death == nodes[0]));
   BOOST_TEST(pairs[0].persistence() == std::ldexp(1., 64));
-  BOOST_TEST(pairs[1].kind == SMRG::LOOP_PAIR);
+  BOOST_TEST(pairs[1].kind == SMRG::Persistence_pair_kind::LOOP);
   BOOST_TEST((pairs[1].birth == nodes[3] && pairs[1].death == nodes[2]));
   BOOST_TEST((pairs[1].upper() == nodes[3] && pairs[1].lower() == nodes[2]));
   BOOST_TEST(pairs[1].persistence() == 1);
@@ -368,8 +368,8 @@ BOOST_AUTO_TEST_CASE(gudhi_reads_diagrams)
         graph[num_vertices(graph) - 1].value = infinity;
       Intervals expected[2];
       for (const Pair& pair : Reeb_graph_test::pairs_of(graph)) {
-        const bool is_of_dimension_0 =
-            pair.kind == SMRG::MINIMUM_PAIR || pair.kind == SMRG::COMPONENT_PAIR;
+        const bool is_of_dimension_0 = pair.kind == SMRG::Persistence_pair_kind::MINIMUM ||
+                                       pair.kind == SMRG::Persistence_pair_kind::COMPONENT;
         expected[is_of_dimension_0 ? 0 : 1].emplace_back(graph[pair.lower()].value,
                                                          graph[pair.upper()].value);
       }

@@ -774,9 +774,9 @@ BOOST_AUTO_TEST_CASE(pairs_are_cancelled_until_few_leaves_are_left)
       std::vector<double> persistence;
       std::size_t expected_fewest = 0;
       for (const Pair& pair : pairs_of(original)) {
-        if (pair.kind == SMRG::COMPONENT_PAIR)
+        if (pair.kind == SMRG::Persistence_pair_kind::COMPONENT)
           expected_fewest += pair.birth == pair.death ? 1 : 2;
-        else if (pair.kind != SMRG::LOOP_PAIR)
+        else if (pair.kind != SMRG::Persistence_pair_kind::LOOP)
           persistence.push_back(pair.persistence());
       }
       BOOST_TEST(fewest == expected_fewest);
@@ -865,20 +865,22 @@ BOOST_AUTO_TEST_CASE(the_simplified_graph_is_that_of_the_simplified_function)
       const std::vector<Pair> pairs = pairs_of(graph);
       const auto is_less = [](const Pair& p, const Pair& q) {
         const auto is_branch = [](const Pair& pair) {
-          return pair.kind == SMRG::MINIMUM_PAIR || pair.kind == SMRG::MAXIMUM_PAIR;
+          return pair.kind == SMRG::Persistence_pair_kind::MINIMUM ||
+                 pair.kind == SMRG::Persistence_pair_kind::MAXIMUM;
         };
         return is_branch(p) != is_branch(q) ? is_branch(p) : p.persistence() < q.persistence();
       };
       const Pair least = *std::min_element(pairs.begin(), pairs.end(), is_less);
       // a branch that is an arc at a simple saddle
       const auto saddle_type = graph[least.death].type;
-      if (saddle_type != SMRG::SPLIT_SADDLE && saddle_type != SMRG::MERGE_SADDLE)
+      if (saddle_type != SMRG::Reeb_node_type::SPLIT_SADDLE &&
+          saddle_type != SMRG::Reeb_node_type::MERGE_SADDLE)
         continue;
       if (!edge(least.lower(), least.upper(), graph).second || out_degree(least.birth, graph) != 1)
         continue;
       ++number_of_cases;
 
-      const bool is_maximum = least.kind == SMRG::MAXIMUM_PAIR;
+      const bool is_maximum = least.kind == SMRG::Persistence_pair_kind::MAXIMUM;
       const double level = least.death_value;
       std::vector<std::size_t> branch = {std::size_t(graph[least.birth].vertex)};
       const std::set<Index_edge> mesh_edges = edges_of(mesh);

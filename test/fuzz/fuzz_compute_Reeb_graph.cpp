@@ -241,8 +241,9 @@ private:
     std::vector<Pair> pairs;
     SMRG::persistence_pairs(output.graph, std::back_inserter(pairs));
     for (const Pair& pair : pairs)
-      require(pair.kind == SMRG::COMPONENT_PAIR ||
-                  pair.persistence() >= (pair.kind == SMRG::LOOP_PAIR ? threshold : threshold / 2),
+      require(pair.kind == SMRG::Persistence_pair_kind::COMPONENT ||
+                  pair.persistence() >=
+                      (pair.kind == SMRG::Persistence_pair_kind::LOOP ? threshold : threshold / 2),
               "no small pair is left");
   }
 
@@ -310,7 +311,8 @@ private:
     if (!CGAL::is_closed(m_mesh))
       return;
     for (const auto node : CGAL::make_range(vertices(unfolded)))
-      require(unfolded[node].type != SMRG::DEGENERATE, "unfolded saddles are simple");
+      require(unfolded[node].type != SMRG::Reeb_node_type::DEGENERATE,
+              "unfolded saddles are simple");
     require(number_of_loops(unfolded, m_dense.mesh) == genus(m_dense.mesh),
             "as many loops as handles");
   }

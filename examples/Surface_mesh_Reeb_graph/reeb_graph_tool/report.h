@@ -26,22 +26,22 @@ inline Node_counts count_nodes(const Graph& graph)
   Node_counts counts;
   for (auto node : boost::make_iterator_range(vertices(graph))) {
     switch (graph[node].type) {
-    case SMRG::MINIMUM:
+    case SMRG::Reeb_node_type::MINIMUM:
       ++counts.minima;
       break;
-    case SMRG::MAXIMUM:
+    case SMRG::Reeb_node_type::MAXIMUM:
       ++counts.maxima;
       break;
-    case SMRG::SPLIT_SADDLE:
+    case SMRG::Reeb_node_type::SPLIT_SADDLE:
       ++counts.splits;
       break;
-    case SMRG::MERGE_SADDLE:
+    case SMRG::Reeb_node_type::MERGE_SADDLE:
       ++counts.merges;
       break;
-    case SMRG::ISOLATED:
+    case SMRG::Reeb_node_type::ISOLATED:
       ++counts.isolated;
       break;
-    case SMRG::DEGENERATE:
+    case SMRG::Reeb_node_type::DEGENERATE:
       ++counts.degenerate;
     }
   }

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Mesh_components.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Laplace_Beltrami_matrices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/eigenpair_residuals.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
@@ -213,9 +214,7 @@ public:
         choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u));
     const std::function<bool(double)> callback = choose_parameter(
         get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
-    const auto vertex_point_map =
-        choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                         CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
 
     check_coordinates(vertex_point_map);
     bool has_area = faces(tmesh).begin() == faces(tmesh).end();

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Kernel_traits.h>
@@ -254,12 +255,8 @@ public:
   auto polyline(const Component& component,
                 const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    using CGAL::parameters::choose_parameter;
-    using CGAL::parameters::get_parameter;
 
-    const auto vertex_point_map =
-        choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                         CGAL::get_const_property_map(CGAL::vertex_point, m_tmesh));
+    const auto vertex_point_map = internal::vertex_point_map(m_tmesh, np);
     using Point_3 = std::remove_cv_t<
         typename boost::property_traits<std::decay_t<decltype(vertex_point_map)>>::value_type>;
     using Coordinate = typename CGAL::Kernel_traits<Point_3>::Kernel::FT;

@@ -12,6 +12,7 @@
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -28,7 +29,7 @@ The type of a node, from the numbers (*down*, *up*) of arcs that end and begin t
 that has been neither simplified nor unfolded, these are the numbers of components of the level set
 just below and just above the vertex that touch it, less those cancelled inside a plateau.
 */
-enum Reeb_node_type {
+enum class Reeb_node_type {
   MINIMUM,      ///< (0, 1): a component appears
   MAXIMUM,      ///< (1, 0): a component vanishes
   SPLIT_SADDLE, ///< (1, 2): a component splits in two (a bifurcation)
@@ -42,16 +43,16 @@ enum Reeb_node_type {
 inline Reeb_node_type type_of_Reeb_node(std::size_t down, std::size_t up)
 {
   if (down == 0 && up == 1)
-    return MINIMUM;
+    return Reeb_node_type::MINIMUM;
   if (down == 1 && up == 0)
-    return MAXIMUM;
+    return Reeb_node_type::MAXIMUM;
   if (down == 1 && up == 2)
-    return SPLIT_SADDLE;
+    return Reeb_node_type::SPLIT_SADDLE;
   if (down == 2 && up == 1)
-    return MERGE_SADDLE;
+    return Reeb_node_type::MERGE_SADDLE;
   if (down == 0 && up == 0)
-    return ISOLATED;
-  return DEGENERATE;
+    return Reeb_node_type::ISOLATED;
+  return Reeb_node_type::DEGENERATE;
 }
 
 /// \ingroup PkgSurfaceMeshReebGraphClasses
@@ -59,17 +60,17 @@ inline Reeb_node_type type_of_Reeb_node(std::size_t down, std::size_t up)
 inline std::ostream& operator<<(std::ostream& out, Reeb_node_type type)
 {
   switch (type) {
-  case MINIMUM:
+  case Reeb_node_type::MINIMUM:
     return out << "minimum";
-  case MAXIMUM:
+  case Reeb_node_type::MAXIMUM:
     return out << "maximum";
-  case SPLIT_SADDLE:
+  case Reeb_node_type::SPLIT_SADDLE:
     return out << "split";
-  case MERGE_SADDLE:
+  case Reeb_node_type::MERGE_SADDLE:
     return out << "merge";
-  case ISOLATED:
+  case Reeb_node_type::ISOLATED:
     return out << "isolated";
-  case DEGENERATE:
+  case Reeb_node_type::DEGENERATE:
     break;
   }
   return out << "degenerate";
@@ -94,7 +95,7 @@ struct Reeb_node
   /// the function's value there
   FT value = FT(0);
   /// the type of the node
-  Reeb_node_type type = ISOLATED;
+  Reeb_node_type type = Reeb_node_type::ISOLATED;
 };
 
 /*!
@@ -123,8 +124,10 @@ struct Reeb_arc
 The default type of Reeb graphs. It is a Boost graph, no more and no less: \c vecS for the edges
 lets two nodes be joined by several arcs, as the two saddles of a torus are.
 
-Nodes and arcs are added in the order of their numbers; the source of an edge given by
-`edges(graph)` is its lower node. In any graph the end with the smaller `id` is the lower one.
+Nodes and arcs are added in the order of their numbers. The source of an edge is its lower node only
+where `edges(graph)` gave it; `lower_node()` and `upper_node()` tell the ends apart everywhere.
+
+\sa `lower_node()`, `upper_node()`
 
 \tparam TriangleMesh the type of the mesh
 \tparam FT the type of the function's values
@@ -135,6 +138,40 @@ using Reeb_graph = boost::adjacency_list<boost::vecS,
                                          boost::undirectedS,
                                          Reeb_node<TriangleMesh, FT>,
                                          Reeb_arc<TriangleMesh>>;
+
+/// \ingroup PkgSurfaceMeshReebGraphFunctions
+/// returns the lower end of an arc.
+///
+/// The graph may be of any type whose nodes have a member `id`, as those of `Reeb_node`, and the
+/// arc of any origin: what `out_edges()` gives has the node asked as its source, which may be the
+/// upper one.
+///
+/// \tparam Graph a model of `EdgeListGraph` filled by `compute_Reeb_graph()`
+///
+/// \sa `upper_node()`
+template <class Graph>
+typename boost::graph_traits<Graph>::vertex_descriptor
+lower_node(typename boost::graph_traits<Graph>::edge_descriptor arc, const Graph& graph)
+{
+  const auto nodes = get(boost::vertex_bundle, graph);
+  const auto a = source(arc, graph), b = target(arc, graph);
+  return nodes[b].id < nodes[a].id ? b : a;
+}
+
+/// \ingroup PkgSurfaceMeshReebGraphFunctions
+/// returns the upper end of an arc.
+///
+/// \tparam Graph a model of `EdgeListGraph` filled by `compute_Reeb_graph()`
+///
+/// \sa `lower_node()`
+template <class Graph>
+typename boost::graph_traits<Graph>::vertex_descriptor
+upper_node(typename boost::graph_traits<Graph>::edge_descriptor arc, const Graph& graph)
+{
+  const auto nodes = get(boost::vertex_bundle, graph);
+  const auto a = source(arc, graph), b = target(arc, graph);
+  return nodes[b].id < nodes[a].id ? a : b;
+}
 
 /// \cond SKIP_IN_MANUAL
 

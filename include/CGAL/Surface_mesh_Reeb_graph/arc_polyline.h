@@ -10,8 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_ARC_POLYLINE_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_ARC_POLYLINE_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
@@ -23,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,7 +67,7 @@ Takes time in proportion to the number of the arc's vertices.
 
 \return the points, at least two, as a `std::vector` of the value type of the vertex point map
 
-\throws Error if the number of samples is negative
+\pre the number of samples is not negative
 */
 template <class Graph,
           class TriangleMesh,
@@ -79,24 +80,18 @@ auto arc_polyline(typename boost::graph_traits<Graph>::edge_descriptor arc,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
 
-  const auto vertex_point_map =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
   using Point_3 =
       typename boost::property_traits<std::decay_t<decltype(vertex_point_map)>>::value_type;
   const auto number_of_samples = static_cast<long long>(
       choose_parameter(get_parameter(np, CGAL::internal_np::number_of_samples), 10));
-  if (number_of_samples < 0)
-    throw Input_error("the number of samples of a polyline is negative");
+  CGAL_precondition(number_of_samples >= 0);
 
   const auto nodes = get(boost::vertex_bundle, graph);
-  auto lower = source(arc, graph), upper = target(arc, graph);
-  if (nodes[upper].id < nodes[lower].id)
-    std::swap(lower, upper);
   const auto& vertices = get(boost::edge_bundle, graph)[arc].vertices;
 
   std::vector<Point_3> polyline;
-  polyline.push_back(get(vertex_point_map, nodes[lower].vertex));
+  polyline.push_back(get(vertex_point_map, nodes[lower_node(arc, graph)].vertex));
   // in a part of a tube that is as long as wide, n vertices make about sqrt(n) rings: smaller
   // groups would not reach around
   const std::size_t groups =
@@ -115,7 +110,7 @@ auto arc_polyline(typename boost::graph_traits<Graph>::edge_descriptor arc,
     const double size = static_cast<double>(end - begin);
     polyline.push_back(Point_3(x / size, y / size, z / size));
   }
-  polyline.push_back(get(vertex_point_map, nodes[upper].vertex));
+  polyline.push_back(get(vertex_point_map, nodes[upper_node(arc, graph)].vertex));
   return polyline;
 }
 

@@ -51,29 +51,105 @@ limb, in any pose.
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{persistence_threshold, threshold_is_absolute, number_of_leaves, loop_persistence_threshold}
+  \cgalParamNBegin{persistence_threshold}
     \cgalParamDescription{as in `simplify_Reeb_graph()`}
-    \cgalParamType{`double`, Boolean, an integer type, `double`}
-    \cgalParamDefault{`0`, `false`, no limit, `0`: only pairs of persistence zero are cancelled}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`0`: only pairs of persistence zero are cancelled}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_leaves}
+    \cgalParamDescription{as in `simplify_Reeb_graph()`}
+    \cgalParamType{an integer type, not negative}
+    \cgalParamDefault{no limit}
+  \cgalParamNEnd
+  \cgalParamNBegin{loop_persistence_threshold}
+    \cgalParamDescription{as in `simplify_Reeb_graph()`}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`0`: loops are never closed}
+  \cgalParamNEnd
+  \cgalParamNBegin{threshold_is_absolute}
+    \cgalParamDescription{as in `simplify_Reeb_graph()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_value_map}
     \cgalParamDescription{receives the mapping function}
     \cgalParamType{a class model of `WritablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value type}
     \cgalParamDefault{no map}
-  \cgalParamNEnd  \cgalParamNBegin{vertex_arc_map, face_arc_map, collect_arc_vertices, unfold_multiple_saddles, algorithm}
-    \cgalParamDescription{as in `compute_Reeb_graph()`; the arcs are those of the simplified graph}
-    \cgalParamType{a class model of `ReadWritePropertyMap`, another one, Boolean, Boolean, `Reeb_graph_algorithm`}
-    \cgalParamDefault{no map, no map, `false`, `false`, `Reeb_graph_algorithm::AUTOMATIC`}
-\cgalParamNEnd
-  \cgalParamNBegin{number_of_eigenpairs, residual_tolerance, use_intrinsic_Delaunay, extend_to_gap, accept_converged_part, random_seed, callback}
-    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
-    \cgalParamType{an integer, `double`, Boolean, Boolean, Boolean, an unsigned integer, a type convertible to `std::function<bool(double)>`}
-    \cgalParamDefault{`50`, `1e-8`, `false`, `true`, `false`, `0`, no function}
   \cgalParamNEnd
-  \cgalParamNBegin{small_time, large_time, minima_as_feature_points}
+  \cgalParamNBegin{vertex_arc_map}
+    \cgalParamDescription{as in `compute_Reeb_graph()`; the arcs are those of the simplified graph}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and an integer type as value type}
+    \cgalParamDefault{no map}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_arc_map}
+    \cgalParamDescription{as in `compute_Reeb_graph()`; the arcs are those of the simplified graph}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type}
+    \cgalParamDefault{no map}
+  \cgalParamNEnd
+  \cgalParamNBegin{collect_arc_vertices}
+    \cgalParamDescription{as in `compute_Reeb_graph()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{unfold_multiple_saddles}
+    \cgalParamDescription{as in `compute_Reeb_graph()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{algorithm}
+    \cgalParamDescription{as in `compute_Reeb_graph()`}
+    \cgalParamType{`Reeb_graph_algorithm`}
+    \cgalParamDefault{`Reeb_graph_algorithm::AUTOMATIC`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_eigenpairs}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{an integer, at least 1}
+    \cgalParamDefault{`50`}
+  \cgalParamNEnd
+  \cgalParamNBegin{residual_tolerance}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`1e-8`}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_intrinsic_Delaunay}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{extend_to_gap}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{accept_converged_part}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{an unsigned integer}
+    \cgalParamDefault{`0`}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis`}
+    \cgalParamType{a type convertible to `std::function<bool(double)>`}
+    \cgalParamDefault{no function}
+  \cgalParamNEnd
+  \cgalParamNBegin{small_time}
     \cgalParamDescription{as in `feature_points()`}
-    \cgalParamType{`double`, `double`, Boolean}
-    \cgalParamDefault{`1.5`, `20`, `false`}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`1.5`}
+  \cgalParamNEnd
+  \cgalParamNBegin{large_time}
+    \cgalParamDescription{as in `feature_points()`}
+    \cgalParamType{`double`, not negative}
+    \cgalParamDefault{`20`}
+  \cgalParamNEnd
+  \cgalParamNBegin{minima_as_feature_points}
+    \cgalParamDescription{as in `feature_points()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{output_iterator}
     \cgalParamDescription{receives the feature points}
@@ -85,10 +161,15 @@ limb, in any pose.
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{the default of `Laplace_Beltrami_eigenbasis`}
   \cgalParamNEnd
-  \cgalParamNBegin{vertex_point_map, vertex_index_map}
-    \cgalParamDescription{as in `Laplace_Beltrami_eigenbasis` and `compute_Reeb_graph()`}
-    \cgalParamType{class models of `ReadablePropertyMap`}
-    \cgalParamDefault{those of the mesh}
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional point of a \cgal kernel as value type}
+    \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `std::size_t` as value type}
+    \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

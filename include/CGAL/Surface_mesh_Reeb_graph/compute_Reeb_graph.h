@@ -271,7 +271,6 @@ depend on how vertices and faces are numbered either.
     \cgalParamDescription{the algorithm; all of them give the same}
     \cgalParamType{`Reeb_graph_algorithm`}
     \cgalParamDefault{`Reeb_graph_algorithm::AUTOMATIC`}
-    \cgalParamExtra{a name of \cgal: in a chain it comes after those of this package.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a map from every vertex to a distinct integer from 0 to `num_vertices(tmesh) - 1`}

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -71,12 +72,8 @@ void height_function(const TriangleMesh& tmesh,
                      VertexScalarMap values,
                      const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
 
-  const auto vertex_point_map =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
   const Eigen::Vector3d a(
       CGAL::to_double(axis.x()), CGAL::to_double(axis.y()), CGAL::to_double(axis.z()));
   const double length = a.stableNorm();

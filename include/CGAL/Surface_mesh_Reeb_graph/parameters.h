@@ -19,13 +19,16 @@ namespace internal {
 namespace tags {
 
 #define CGAL_add_named_parameter(X, Y, Z) enum X { Y };
+#define CGAL_reuse_named_parameter(X, Y, Z) using CGAL::internal_np::X;
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/parameters_interface.h>
+#undef CGAL_reuse_named_parameter
 #undef CGAL_add_named_parameter
 
 } // namespace tags
 
-// A pack of named parameters that knows the names of this package beside CGAL's. A name of this
-// package gives such a pack again, a name of CGAL (inherited) gives CGAL's own pack.
+// A pack of named parameters that knows the names of this package beside CGAL's. The names of CGAL
+// that this package reads hide the inherited ones: they, too, give such a pack again, so that names
+// follow each other in any order.
 template <typename T, typename Tag, typename Base = CGAL::internal_np::No_property>
 struct Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -40,7 +43,9 @@ struct Named_parameters : public CGAL::Named_function_parameters<T, Tag, Base>
   {                                                                                                \
     return Named_parameters<K, tags::X, CGAL_named_parameters>(value, *this);                      \
   }
+#define CGAL_reuse_named_parameter CGAL_add_named_parameter
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/parameters_interface.h>
+#undef CGAL_reuse_named_parameter
 #undef CGAL_add_named_parameter
 };
 
@@ -62,25 +67,28 @@ auto choose_own_parameter(const NamedParameters& np, Tag tag, const Default& val
 /*!
 \ingroup PkgSurfaceMeshReebGraphParameters
 
-The named parameters of this package. They are used like those of \cgal. In one chain the names of
-this package come first, in any order, and those of \cgal follow:
+The named parameters of this package, and those of \cgal that its functions read. They are used like
+\cgal's, and follow each other in any order:
 
 \code{.cpp}
 namespace SMRG = CGAL::Surface_mesh_Reeb_graph;
 SMRG::commute_time_Reeb_graph(mesh, graph, SMRG::parameters::persistence_threshold(0.1)
-                                                            .number_of_eigenpairs(100)
-                                                            .vertex_point_map(points));
+                                                            .vertex_point_map(points)
+                                                            .number_of_eigenpairs(100));
 \endcode
 
-A chain that has only names of \cgal starts with `CGAL::parameters::` as everywhere.
+A chain that has only names of \cgal may start with `CGAL::parameters::` as everywhere; one that is
+for functions of \cgal must.
 
 | name | documented at |
 |------|---------------|
-| `collect_arc_vertices`, `face_arc_map`, `unfold_multiple_saddles`, `vertex_arc_map` | `compute_Reeb_graph()` |
+| `algorithm`, `collect_arc_vertices`, `face_arc_map`, `unfold_multiple_saddles`, `vertex_arc_map` | `compute_Reeb_graph()` |
 | `loop_persistence_threshold`, `number_of_leaves`, `persistence_threshold`, `threshold_is_absolute` | `simplify_Reeb_graph()` |
-| `accept_converged_part`, `extend_to_gap`, `number_of_eigenpairs`, `residual_tolerance`, `use_intrinsic_Delaunay` | `Laplace_Beltrami_eigenbasis` |
+| `accept_converged_part`, `callback`, `extend_to_gap`, `number_of_eigenpairs`, `random_seed`, `residual_tolerance`, `use_intrinsic_Delaunay` | `Laplace_Beltrami_eigenbasis` |
 | `small_time`, `large_time`, `minima_as_feature_points` | `feature_points()` |
-| `vertex_value_map` | `commute_time_Reeb_graph()` |
+| `output_iterator`, `sparse_linear_solver`, `vertex_value_map` | `commute_time_Reeb_graph()` |
+| `number_of_samples` | `arc_polyline()` |
+| `vertex_index_map`, `vertex_point_map` | wherever they are read |
 */
 namespace parameters {
 
@@ -92,7 +100,9 @@ namespace parameters {
   {                                                                                                \
     return internal::Named_parameters<K, internal::tags::X>(value);                                \
   }
+#define CGAL_reuse_named_parameter CGAL_add_named_parameter
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/parameters_interface.h>
+#undef CGAL_reuse_named_parameter
 #undef CGAL_add_named_parameter
 
 /// \endcond

@@ -41,19 +41,19 @@ The kinds of pairs of extended persistence that a Reeb graph has. Birth and deat
 \cgalCite{cohen_steiner_2009}: first the sublevel sets grow, then the superlevel sets are filled
 from the top.
 */
-enum Persistence_pair_kind {
+enum class Persistence_pair_kind {
   /// A minimum, and the node where its component of the sublevel set merges into one with a lower
   /// minimum (ordinary pair of dimension 0).
-  MINIMUM_PAIR,
+  MINIMUM,
   /// A maximum, and the node where its component of the superlevel set merges into one with a
   /// higher maximum, that is, where it splits off (relative pair of dimension 1).
-  MAXIMUM_PAIR,
+  MAXIMUM,
   /// The lowest and the highest node of a connected component (extended pair of dimension 0). They
   /// are the same one if the component is an isolated node.
-  COMPONENT_PAIR,
+  COMPONENT,
   /// The merge that completes a loop, and the split where the loop begins (extended pair of
   /// dimension 1).
-  LOOP_PAIR
+  LOOP
 };
 
 /*!
@@ -75,7 +75,7 @@ struct Persistence_pair
   using FT = std::decay_t<decltype(std::declval<internal::Node_bundle<Graph>>().value)>;
 
   /// the kind of the pair
-  Persistence_pair_kind kind = MINIMUM_PAIR;
+  Persistence_pair_kind kind = Persistence_pair_kind::MINIMUM;
   /// the first node
   node_descriptor birth = {};
   /// the second node
@@ -100,7 +100,10 @@ struct Persistence_pair
   }
 
 private:
-  bool is_birth_lower() const { return kind == MINIMUM_PAIR || kind == COMPONENT_PAIR; }
+  bool is_birth_lower() const
+  {
+    return kind == Persistence_pair_kind::MINIMUM || kind == Persistence_pair_kind::COMPONENT;
+  }
 };
 
 namespace internal {
@@ -120,9 +123,12 @@ persistence_pairs(const std::vector<double>& values, const std::vector<Arc_ends>
   std::vector<Numbered_persistence_pair> pairs;
   for (const Extremum_pair& pair :
        Extremum_pairing(values, arcs, [](std::uint32_t) { return true; }).run())
-    pairs.push_back({pair.side == BELOW ? MINIMUM_PAIR : MAXIMUM_PAIR, pair.extremum, pair.saddle});
+    pairs.push_back(
+        {pair.side == BELOW ? Persistence_pair_kind::MINIMUM : Persistence_pair_kind::MAXIMUM,
+         pair.extremum,
+         pair.saddle});
   for (const Loop_pair& pair : loop_pairs(n, arcs))
-    pairs.push_back({LOOP_PAIR, pair.merge, pair.split});
+    pairs.push_back({Persistence_pair_kind::LOOP, pair.merge, pair.split});
 
   Disjoint_sets components(n);
   for (const Arc_ends& ends : arcs)
@@ -132,7 +138,7 @@ persistence_pairs(const std::vector<double>& values, const std::vector<Arc_ends>
     std::uint32_t& pair = pair_of_component[components.root(node)];
     if (pair == no_node) {
       pair = static_cast<std::uint32_t>(pairs.size());
-      pairs.push_back({COMPONENT_PAIR, node, node});
+      pairs.push_back({Persistence_pair_kind::COMPONENT, node, node});
     }
     pairs[pair].death = node;
   }

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_VTP_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/exact_output.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -60,14 +61,10 @@ bool write_VTP(std::ostream& out,
                VertexArcMap arcs,
                const NamedParameters& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Number = typename boost::property_traits<VertexArcMap>::value_type;
 
   constexpr double largest = (std::numeric_limits<double>::max)();
-  const auto vertex_point_map =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
   const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tmesh);
   std::size_t number_of_vertices = 0;
   for (auto v : CGAL::make_range(vertices(tmesh)))

@@ -35,10 +35,10 @@ tools there:
 
 | kind of pair | dimension | interval |
 |--------------|-----------|----------|
-| `MINIMUM_PAIR` | 0 | value of the minimum, value of the merge |
-| `COMPONENT_PAIR` | 0 | value of the minimum, value of the maximum |
-| `MAXIMUM_PAIR` | 1 | value of the split, value of the maximum |
-| `LOOP_PAIR` | 1 | value of the split, value of the merge |
+| `Persistence_pair_kind::MINIMUM` | 0 | value of the minimum, value of the merge |
+| `Persistence_pair_kind::COMPONENT` | 0 | value of the minimum, value of the maximum |
+| `Persistence_pair_kind::MAXIMUM` | 1 | value of the split, value of the maximum |
+| `Persistence_pair_kind::LOOP` | 1 | value of the split, value of the merge |
 
 The dimensions are those of extended persistence, where the birth of a pair of dimension 1 is the
 higher value. The kinds come in this order, each after a line that begins with `#` and says which it
@@ -75,10 +75,10 @@ bool write_persistence_diagram(std::ostream& out, const Graph& graph)
     }
   };
   out << "# dimension, lower value, higher value\n";
-  write_pairs(MINIMUM_PAIR, 0, "minimum, merge");
-  write_pairs(COMPONENT_PAIR, 0, "component: minimum, maximum");
-  write_pairs(MAXIMUM_PAIR, 1, "split, maximum");
-  write_pairs(LOOP_PAIR, 1, "loop: split, merge");
+  write_pairs(Persistence_pair_kind::MINIMUM, 0, "minimum, merge");
+  write_pairs(Persistence_pair_kind::COMPONENT, 0, "component: minimum, maximum");
+  write_pairs(Persistence_pair_kind::MAXIMUM, 1, "split, maximum");
+  write_pairs(Persistence_pair_kind::LOOP, 1, "loop: split, merge");
   return out.good();
 }
 

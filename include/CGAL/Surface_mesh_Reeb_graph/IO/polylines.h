@@ -37,8 +37,6 @@ of `edges(graph)`, with the number of points and their coordinates. Coordinates 
 \param np named parameters, as for `arc_polyline()`
 
 \return `true` if the stream is good afterwards
-
-\throws Error as `arc_polyline()`
 */
 template <class Graph,
           class TriangleMesh,
@@ -71,8 +69,6 @@ writes the arcs of a Reeb graph as polylines to a file, which is replaced if it 
 \param np named parameters, as for `arc_polyline()`
 
 \return `true` if the file could be written
-
-\throws Error as `arc_polyline()`; the file is then left as it was
 */
 template <class Graph,
           class TriangleMesh,

@@ -10,6 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_GRAPH_DYNAMIC_PROPERTIES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_GRAPH_DYNAMIC_PROPERTIES_H
 
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/exact_output.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -66,15 +67,11 @@ template <class Graph, class TriangleMesh, class NamedParameters>
 boost::dynamic_properties
 graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParameters& np)
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Arc = typename boost::graph_traits<Graph>::edge_descriptor;
 
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  const auto vertex_point_map =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                       CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
 
   boost::dynamic_properties properties;
   const auto add_node_property = [&](const std::string& name, auto function) {

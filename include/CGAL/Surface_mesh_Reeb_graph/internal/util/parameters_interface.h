@@ -10,8 +10,6 @@
 // List of the named parameters of this package, in the form of CGAL's own list:
 // (type of the tag, value of the tag, name of the parameter).
 // There is no include guard: parameters.h includes this file several times.
-// A parameter that CGAL has already (vertex_point_map, vertex_index_map, geom_traits, random_seed,
-// callback, output_iterator, number_of_samples) is not repeated here.
 CGAL_add_named_parameter(number_of_eigenpairs_t, number_of_eigenpairs, number_of_eigenpairs)
 CGAL_add_named_parameter(residual_tolerance_t, residual_tolerance, residual_tolerance)
 CGAL_add_named_parameter(use_intrinsic_Delaunay_t, use_intrinsic_Delaunay, use_intrinsic_Delaunay)
@@ -35,3 +33,13 @@ CGAL_add_named_parameter(collect_arc_vertices_t, collect_arc_vertices, collect_a
 CGAL_add_named_parameter(unfold_multiple_saddles_t,
                          unfold_multiple_saddles,
                          unfold_multiple_saddles)
+
+// The parameters of CGAL that functions of this package read, with CGAL's tags.
+CGAL_reuse_named_parameter(vertex_point_t, vertex_point, vertex_point_map)
+CGAL_reuse_named_parameter(vertex_index_t, vertex_index, vertex_index_map)
+CGAL_reuse_named_parameter(algorithm_t, algorithm, algorithm)
+CGAL_reuse_named_parameter(callback_t, callback, callback)
+CGAL_reuse_named_parameter(number_of_samples_t, number_of_samples, number_of_samples)
+CGAL_reuse_named_parameter(output_iterator_t, output_iterator, output_iterator)
+CGAL_reuse_named_parameter(random_seed_t, random_seed, random_seed)
+CGAL_reuse_named_parameter(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)
