@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks the layout of the headers and of the tests: no room of internal/ includes a later one, or a
-# user header that may include it; no two headers have the same name; no file of the tests is longer
-# than 700 lines. The last line is "N passed, N failed"; what fails is shown.
+# user header that may include it; no two headers have the same name; a header with a capital holds a
+# class of its name; no file of the tests is longer than 700 lines. Shows who includes whom with the
+# number of includes, and what fails; the last line is "N passed, N failed".
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -46,6 +47,8 @@ for folder in "$package"/internal/*/; do
     continue
   fi
   allowed=${earlier_rooms[$room]// /|}
+  echo "$room: $(sed -nE 's|^#include <CGAL/Surface_mesh_Reeb_graph/(internal/)?([^/>]*).*|\2|p' "$folder"*.h |
+    grep -vx "$room" | sort | uniq -c | awk '{ printf "%s%s (%d)", separator, $2, $1; separator = ", " }')"
   expect_none "$room includes only what comes before" "$(
     grep -E '#include <CGAL/[Ss]urface_mesh_Reeb_graph' "$folder"*.h | sed "s|^$folder||" |
       grep -vE "<CGAL/Surface_mesh_Reeb_graph/(internal/($room${allowed:+|$allowed})/|($common_headers)\.h)" ||
@@ -57,6 +60,16 @@ expect_none "rooms that nobody knows" "$unknown"
 expect_none "headers of the same name" "$(
   find "$root/include" -name '*.h' -printf '%f\n' | tr '[:upper:]' '[:lower:]' | sort | uniq -d |
     grep -vx 'surface_mesh_reeb_graph\.h' || true
+)"
+
+expect_none "headers with a capital, and no class of that name" "$(
+  for header in "$package"/*.h "$package"/internal/*/*.h; do
+    name=$(basename "$header" .h)
+    if [[ "$name" == [A-Z]* ]] &&
+      ! grep -qE "^((class|struct) $name\b|using $name =)" "$header"; then
+      echo "${header#"$root"/}"
+    fi
+  done
 )"
 
 expect_none "test files of more than 700 lines" "$(
