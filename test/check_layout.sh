@@ -34,9 +34,9 @@ declare -A earlier_rooms=(
   [spectral]="util mesh cholesky"
 )
 
-# User headers with nothing but types that every room may know; and the default direct solver, which
-# belongs to cholesky/.
-common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|exceptions"
+# User headers with nothing but types that every room may know; the default direct solver, which
+# belongs to cholesky/, and the vertex order, which belongs to mesh/.
+common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|Vertex_order|exceptions"
 
 unknown=""
 for folder in "$package"/internal/*/; do
