@@ -37,7 +37,7 @@ declare -A earlier_rooms=(
 
 # User headers with nothing but types that every room may know; and the default direct solver, which
 # belongs to cholesky/.
-common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|exceptions"
+common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|Vertex_order|exceptions|parameters"
 
 unknown=""
 for folder in "$package"/internal/*/; do
