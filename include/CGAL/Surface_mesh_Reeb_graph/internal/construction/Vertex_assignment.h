@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -76,7 +77,8 @@ public:
     count_nodes_below(sequence);
     // in the order of the numbers, so that the ways along the parents can be shortened for all that
     // follow
-    const std::vector<std::uint32_t> sorted = vertices_by_number(sequence.size());
+    const std::vector<std::uint32_t> sorted = items_sorted_by_counting(
+        m_vertices.size(), sequence.size() + 1, [&](std::size_t i) { return m_number[i]; });
     m_position.resize(sequence.size());
     for (std::size_t i = 0; i < sequence.size(); ++i)
       m_position[sequence[i]] = static_cast<std::uint32_t>(i);
@@ -143,20 +145,6 @@ private:
         m_number[i] = static_cast<std::uint32_t>(above - sequence.begin());
       }
     });
-  }
-
-  // By counting sort.
-  std::vector<std::uint32_t> vertices_by_number(std::size_t largest_number) const
-  {
-    std::vector<std::size_t> begin(largest_number + 2, 0);
-    for (const std::uint32_t number : m_number)
-      ++begin[number + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i)
-      begin[i] += begin[i - 1];
-    std::vector<std::uint32_t> result(m_vertices.size());
-    for (std::size_t i = 0; i < m_vertices.size(); ++i)
-      result[begin[m_number[i]]++] = static_cast<std::uint32_t>(i);
-    return result;
   }
 
   // Leads every vertex from a node along its parents as far as they lie on the near side of the
