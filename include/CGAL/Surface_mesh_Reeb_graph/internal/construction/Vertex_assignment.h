@@ -13,12 +13,16 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_nodes.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Loop_cuts.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Monotone_paths.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -34,7 +38,7 @@ namespace internal {
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Vertex_assignment
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
@@ -161,6 +165,7 @@ private:
       parents[node] = forest.parent(node);
     for (Iterator i = begin; i != end; ++i) {
       std::uint32_t& node = node_of_vertex[index(*i)];
+      CGAL_assertion(is_near(node, *i) || vertex_of_node(node) == m_vertices[*i]);
       for (;;) {
         const std::uint32_t parent = parents[node];
         if (parent == no_node || !is_near(parent, *i))
