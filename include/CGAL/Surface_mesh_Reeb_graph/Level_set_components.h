@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Vertex_order.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
@@ -162,7 +163,7 @@ public:
     , m_vertex_index_map(CGAL::get_initialized_vertex_index_map(tmesh, np))
   {
     internal::check_triangles(tmesh);
-    check_fans();
+    internal::check_mesh(tmesh, m_vertex_index_map);
     const Vertex_order<TriangleMesh, VertexScalarMap, VertexIndexMap> order(
         tmesh, scalar_map, m_vertex_index_map);
     m_vertices = internal::sorted_vertices<CGAL::Sequential_tag>(tmesh, order);
@@ -298,17 +299,6 @@ private:
   std::size_t rank(vertex_descriptor v) const { return m_rank[get(m_vertex_index_map, v)]; }
 
   FT value(std::size_t rank) const { return get(m_scalar_map, m_vertices[rank]); }
-
-  // A circulation about a vertex sees all open fans of faces, but only one closed fan.
-  void check_fans() const
-  {
-    const auto all = halfedges(m_tmesh);
-    auto unseen = std::distance(all.begin(), all.end());
-    for (vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
-      internal::for_each_neighbor(v, m_tmesh, [&](vertex_descriptor) { --unseen; });
-    if (unseen != 0)
-      internal::throw_several_fans();
-  }
 
   // The components that touch `v` of the level set that has `level` vertices below it.
   template <class OutputIterator>

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 
@@ -96,7 +97,8 @@ public:
   {
     check_values(tmesh);
     if (exists_plateau(tmesh))
-      measure_plateaus(tmesh);
+      internal::check_mesh_on_internal_error(
+          tmesh, vertex_index_map, [&]() { measure_plateaus(tmesh); });
   }
 
   /// \cond SKIP_IN_MANUAL

@@ -11,37 +11,29 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_COMPUTE_REEB_GRAPH_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/Vertex_order.h>
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Cutting_algorithm.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Sweep_algorithm.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/compute_arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Reeb_graph_request.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/arc_maps.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/write_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Compacted_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_branches.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_zero_persistence_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
+
 /*!
 \ingroup PkgSurfaceMeshReebGraphClasses
 
@@ -60,144 +52,6 @@ enum class Reeb_graph_algorithm {
   /// *n*) time, whatever the surface and the function
   SWEEP
 };
-
-namespace internal {
-
-// Cancels the pairs of persistence zero, which only plateaus produce.
-template <class TriangleMesh, class VertexIndexMap, class VertexOrder>
-void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
-                                   const TriangleMesh& tmesh,
-                                   VertexIndexMap vertex_index_map,
-                                   const VertexOrder& order)
-{
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  // only equality of values matters here: they are numbered in increasing order
-  std::vector<double> values(list.nodes.size(), 0.);
-  for (std::size_t i = 1; i < values.size(); ++i)
-    values[i] =
-        values[i - 1] + (order.value(list.nodes[i - 1]) < order.value(list.nodes[i]) ? 1. : 0.);
-
-  Branch_cancellation cancellation(values, list.arcs);
-  cancellation.run([](const Extremum_pair&) { return false; });
-  const Compacted_graph remaining = compacted_graph(cancellation, list.nodes.size());
-
-  const auto arc_after = [&](std::uint32_t arc, vertex_descriptor v) {
-    return remaining.position_of_arc[cancellation.arc_after(
-        arc, [&](std::uint32_t node) { return order(v, list.nodes[node]); })];
-  };
-  if (!list.arc_of_vertex.empty()) {
-    for (const vertex_descriptor v : CGAL::make_range(vertices(tmesh))) {
-      std::uint32_t& arc = list.arc_of_vertex[get(vertex_index_map, v)];
-      if (arc != no_arc)
-        arc = arc_after(arc, v);
-    }
-  }
-  for (auto& wedge : list.upper_wedges)
-    wedge.arc = arc_after(wedge.arc, target(wedge.halfedge, tmesh));
-
-  std::vector<vertex_descriptor> nodes;
-  nodes.reserve(remaining.nodes.size());
-  for (const std::uint32_t node : remaining.nodes)
-    nodes.push_back(list.nodes[node]);
-  list.nodes = std::move(nodes);
-  list.arcs = remaining.arcs;
-  if (!list.arc_of_vertex.empty())
-    list.set_arcs_of_nodes(vertex_index_map);
-}
-
-// Computes the Reeb graph as lists.
-template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
-Arc_list<TriangleMesh> arc_list(const TriangleMesh& tmesh,
-                                const VertexOrder& order,
-                                VertexIndexMap vertex_index_map,
-                                std::size_t index_bound,
-                                const Vertex_classification& states,
-                                const Reeb_graph_request& request,
-                                Reeb_graph_algorithm algorithm)
-{
-  if (algorithm != Reeb_graph_algorithm::SWEEP) {
-    // so many steps of walks take less time than the sweep
-    const std::size_t budget = algorithm == Reeb_graph_algorithm::CUTTING
-                                   ? (std::numeric_limits<std::size_t>::max)()
-                                   : 4 * index_bound;
-    Arc_list<TriangleMesh> result;
-    Cutting_algorithm<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap> cutting(
-        tmesh, order, vertex_index_map, index_bound, states, request);
-    if (cutting.run(budget, result))
-      return result;
-  }
-  const auto halfedge_index_map = CGAL::get_initialized_halfedge_index_map(tmesh);
-  return Sweep_algorithm<TriangleMesh,
-                         VertexOrder,
-                         VertexIndexMap,
-                         std::decay_t<decltype(halfedge_index_map)>>(
-             tmesh, order, vertex_index_map, index_bound, halfedge_index_map, request)
-      .run(sorted_vertices<ConcurrencyTag>(tmesh, order));
-}
-
-// The vertices of every arc, in increasing order.
-template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class VertexOrder>
-auto vertices_of_arcs(const Arc_list<TriangleMesh>& list,
-                      const TriangleMesh& tmesh,
-                      VertexIndexMap vertex_index_map,
-                      const VertexOrder& order)
-{
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  std::vector<std::vector<vertex_descriptor>> result(list.arcs.size());
-  for (const vertex_descriptor v : sorted_vertices<ConcurrencyTag>(tmesh, order)) {
-    const std::uint32_t arc = list.arc_of_vertex[get(vertex_index_map, v)];
-    if (arc != no_arc)
-      result[arc].push_back(v);
-  }
-  return result;
-}
-
-// Writes the arcs of the faces: that of the middle vertex; if several arcs begin there, the one
-// above it in the wedge that the face's highest vertex belongs to.
-template <class TriangleMesh, class VertexIndexMap, class VertexOrder, class FaceArcMap>
-void write_face_arcs(const Arc_list<TriangleMesh>& list,
-                     const TriangleMesh& tmesh,
-                     VertexIndexMap vertex_index_map,
-                     const VertexOrder& order,
-                     FaceArcMap face_arc_map)
-{
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using Number = typename boost::property_traits<FaceArcMap>::value_type;
-
-  for (const auto f : CGAL::make_range(faces(tmesh))) {
-    const auto v = middle_vertex(f, tmesh, order);
-    put(face_arc_map, f, static_cast<Number>(list.arc_of_vertex[get(vertex_index_map, v)]));
-  }
-  for (const auto& wedge : list.upper_wedges) {
-    const auto v = target(wedge.halfedge, tmesh);
-    const auto write = [&](halfedge_descriptor h) {
-      if (!is_border(h, tmesh) && middle_vertex(face(h, tmesh), tmesh, order) == v)
-        put(face_arc_map, face(h, tmesh), static_cast<Number>(wedge.arc));
-    };
-    // from the edge of the wedge in both directions; once around if there is nothing else
-    const auto follow = [&](const auto& next_edge) {
-      halfedge_descriptor h = wedge.halfedge;
-      do {
-        write(h);
-        write(opposite(h, tmesh));
-        h = next_edge(h);
-      } while (h != Graph_traits::null_halfedge() && h != wedge.halfedge &&
-               order(v, source(h, tmesh)));
-    };
-    follow([&](halfedge_descriptor h) {
-      return is_border(h, tmesh) ? Graph_traits::null_halfedge() : opposite(next(h, tmesh), tmesh);
-    });
-    follow([&](halfedge_descriptor h) {
-      return is_border(opposite(h, tmesh), tmesh) ? Graph_traits::null_halfedge()
-                                                  : prev(opposite(h, tmesh), tmesh);
-    });
-  }
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphFunctions
@@ -316,36 +170,25 @@ void compute_Reeb_graph(const TriangleMesh& tmesh,
 
   internal::check_concurrency_tag<ConcurrencyTag>();
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  using VIM = std::decay_t<decltype(vertex_index_map)>;
-  using Order = Vertex_order<TriangleMesh, VertexScalarMap, VIM>;
+  internal::Vertex_classification states(internal::index_bound(tmesh, vertex_index_map));
+  const auto order =
+      internal::classify_vertices<ConcurrencyTag>(tmesh, scalar_map, vertex_index_map, states);
 
-  const std::size_t index_bound = internal::index_bound(tmesh, vertex_index_map);
-  internal::Vertex_classification states(index_bound);
-  const bool has_no_plateaus = states.classify<ConcurrencyTag>(
-      tmesh, vertex_index_map, [&](vertex_descriptor v) { return get(scalar_map, v); });
-  const bool is_simple = has_no_plateaus && !states.has_faceless_edges();
-  const Order order = is_simple ? Order(scalar_map, vertex_index_map, internal::No_plateaus())
-                                : Order(tmesh, scalar_map, vertex_index_map);
-  if (!is_simple && !states.classify<ConcurrencyTag>(
-                        tmesh, vertex_index_map, [&](vertex_descriptor v) { return order.key(v); }))
-    throw Input_error("the mesh has a face with the same vertex twice");
-
+  const bool collects_arc_vertices =
+      internal::choose_own_parameter(np, internal::tags::collect_arc_vertices, false);
+  const Reeb_graph_algorithm algorithm = choose_parameter(
+      get_parameter(np, CGAL::internal_np::algorithm), Reeb_graph_algorithm::AUTOMATIC);
   internal::Reeb_graph_request request;
   request.unfolds =
       internal::choose_own_parameter(np, internal::tags::unfold_multiple_saddles, false);
-  const bool collects_arc_vertices =
-      internal::choose_own_parameter(np, internal::tags::collect_arc_vertices, false);
   request.has_vertex_arcs = has_vertex_arc_map || has_face_arc_map || collects_arc_vertices;
   request.has_wedge_arcs = has_face_arc_map;
-  internal::Arc_list<TriangleMesh> list = internal::arc_list<ConcurrencyTag>(
-      tmesh,
-      order,
-      vertex_index_map,
-      index_bound,
-      states,
-      request,
-      choose_parameter(get_parameter(np, CGAL::internal_np::algorithm),
-                       Reeb_graph_algorithm::AUTOMATIC));
+  request.may_cut = algorithm != Reeb_graph_algorithm::SWEEP;
+  request.may_sweep = algorithm != Reeb_graph_algorithm::CUTTING;
+  auto list = internal::check_mesh_on_internal_error(tmesh, vertex_index_map, [&]() {
+    return internal::compute_arc_list<ConcurrencyTag>(
+        tmesh, order, vertex_index_map, states, request);
+  });
   if (order.has_plateaus())
     internal::cancel_zero_persistence_pairs(list, tmesh, vertex_index_map, order);
 

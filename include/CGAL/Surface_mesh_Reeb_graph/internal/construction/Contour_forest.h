@@ -12,7 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,13 +46,13 @@ public:
   template <class IsRegular>
   void run(const std::vector<std::uint32_t>& sequence, const IsRegular& is_regular)
   {
-    m_fates[0].resize(m_sublevel_forest.size());
-    m_fates[1].resize(m_superlevel_forest.size());
+    m_fates[BELOW].resize(m_sublevel_forest.size());
+    m_fates[ABOVE].resize(m_superlevel_forest.size());
     std::size_t number_of_nodes = 0, number_of_components = 0;
     for (const std::uint32_t node : sequence) {
       if (is_regular(node)) {
-        splice(m_sublevel_forest, 0, node);
-        splice(m_superlevel_forest, 1, node);
+        splice(m_sublevel_forest, BELOW, node);
+        splice(m_superlevel_forest, ABOVE, node);
         continue;
       }
       ++number_of_nodes;
@@ -78,7 +79,7 @@ public:
     }
     // the two forests do not fit if the faces around a vertex form a fan that nobody has seen
     if (arcs.size() + number_of_components != number_of_nodes)
-      throw_several_fans();
+      throw_internal_error("the join and the split tree do not fit together");
   }
 
   // The number of the arc that a point of the surface belongs to which lies above `below` in the
@@ -86,7 +87,7 @@ public:
   // taken away.
   std::uint32_t arc(std::uint32_t below, std::uint32_t above)
   {
-    return (std::min)(arc_after(0, below), arc_after(1, above));
+    return (std::min)(arc_after(BELOW, below), arc_after(ABOVE, above));
   }
 
   std::vector<Arc> arcs; // in the order in which they were taken away
@@ -107,7 +108,7 @@ private:
 
   bool is_leaf(std::uint32_t node) const { return degree(node) == 1; }
 
-  void splice(Merge_forest& forest, int side, std::uint32_t node)
+  void splice(Merge_forest& forest, Side side, std::uint32_t node)
   {
     m_fates[side][node].child = forest.only_child(node);
     forest.splice(node);
@@ -120,18 +121,19 @@ private:
     Merge_forest& forest = is_lower ? m_sublevel_forest : m_superlevel_forest;
     Merge_forest& other_forest = is_lower ? m_superlevel_forest : m_sublevel_forest;
     const std::uint32_t neighbor = forest.parent(leaf);
-    if (neighbor == no_node)
-      throw_several_fans();
-    m_fates[is_lower ? 0 : 1][leaf].arc = static_cast<std::uint32_t>(arcs.size());
+    if (neighbor == no_node ||
+        (is_lower ? m_superlevel_forest : m_sublevel_forest).degree(leaf) != 1)
+      throw_internal_error("a leaf of the join or the split tree has no arc");
+    m_fates[is_lower ? BELOW : ABOVE][leaf].arc = static_cast<std::uint32_t>(arcs.size());
     const std::uint32_t lower = is_lower ? leaf : neighbor;
     const std::uint32_t way_up = is_lower ? m_superlevel_forest.only_child(leaf) : leaf;
     arcs.push_back({lower, is_lower ? neighbor : leaf, m_superlevel_forest.position(way_up)});
     forest.remove_leaf(leaf);
-    splice(other_forest, is_lower ? 1 : 0, leaf);
+    splice(other_forest, is_lower ? ABOVE : BELOW, leaf);
     return neighbor;
   }
 
-  std::uint32_t arc_after(int side, std::uint32_t node)
+  std::uint32_t arc_after(Side side, std::uint32_t node)
   {
     std::vector<Fate>& fates = m_fates[side];
     while (fates[node].child != no_node) {

@@ -10,21 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_CRITICAL_NODES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_CRITICAL_NODES_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Monotone_paths.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
-
-#include <CGAL/boost/graph/iterator.h>
-
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,12 +24,11 @@ namespace internal {
 // theirs a node in the component of the sublevel (or superlevel) set that it leads to: the end of a
 // monotone path. On demand a multiple saddle is unfolded: it becomes several nodes with the same
 // vertex, which are simple saddles.
-template <class TriangleMesh, class VertexOrder, class VertexIndexMap>
+template <class TriangleMesh>
 struct Critical_nodes
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Star = Vertex_star<TriangleMesh>;
 
   std::size_t size() const { return vertex.size(); }
 
@@ -64,304 +52,14 @@ struct Critical_nodes
 
   std::vector<vertex_descriptor> vertex;
   std::vector<std::uint32_t> number; // of the node, by its number in the order of the mesh
-  // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones alike
+  // the wedges of node i are those from lower_begin[i] to lower_begin[i + 1], upper ones likewise
   std::vector<std::uint32_t> lower_begin, upper_begin;
   std::vector<std::uint32_t> lower_end, upper_end; // ends of paths, by wedge
   // the numbers of the upward paths, by wedge; none for the way to another node of the same vertex
   std::vector<std::uint32_t> upper_path;
-  // the first edges of the wedges, of the upper ones in the order of their lowest vertices; null
-  // for the way to another node of the same vertex
-  std::vector<halfedge_descriptor> lower_halfedge, upper_halfedge;
-};
-
-// Finds the critical nodes.
-template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
-class Critical_node_finder
-{
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
-  using vertex_descriptor = typename Nodes::vertex_descriptor;
-  using halfedge_descriptor = typename Nodes::halfedge_descriptor;
-  using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
-  using Star = typename Nodes::Star;
-
-public:
-  Critical_node_finder(const TriangleMesh& tmesh,
-                       const VertexOrder& order,
-                       VertexIndexMap vertex_index_map,
-                       const Vertex_classification& states,
-                       bool unfolds)
-    : m_tmesh(tmesh)
-    , m_order(order)
-    , m_vertex_index_map(vertex_index_map)
-    , m_states(states)
-    , m_unfolds(unfolds)
-  {}
-
-  void find(Nodes& nodes, Paths& descents, Paths& ascents) const
-  {
-    list_nodes(nodes, descents, ascents);
-    for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      Reader reader = {nodes, Star(), {}};
-      for (std::size_t i = begin; i < end; ++i)
-        read_wedges(static_cast<std::uint32_t>(i), reader);
-    });
-    find_ends(follow(nodes.lower_halfedge, descents), descents, nodes.lower_end);
-    nodes.upper_path = follow(nodes.upper_halfedge, ascents);
-    find_ends(nodes.upper_path, ascents, nodes.upper_end);
-    sort(nodes);
-  }
-
-  // Finds the ends of the upward paths again, when there are cuts.
-  void cut_ascents(Nodes& nodes, Paths& ascents, std::vector<typename Paths::Cut>&& cuts) const
-  {
-    ascents.set_cuts(std::move(cuts));
-    for (std::size_t w = 0; w < nodes.upper_end.size(); ++w)
-      if (nodes.upper_path[w] != Paths::no_path)
-        nodes.upper_end[w] = nodes.number_of_end(ascents.end(nodes.upper_path[w]));
-  }
-
-private:
-  // What reading the wedges of nodes needs, for every thread.
-  struct Reader
-  {
-    Nodes& nodes;
-    Star star;
-    std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
-  };
-
-  static halfedge_descriptor null_halfedge()
-  {
-    return boost::graph_traits<TriangleMesh>::null_halfedge();
-  }
-
-  std::size_t index(vertex_descriptor v) const
-  {
-    return static_cast<std::size_t>(get(m_vertex_index_map, v));
-  }
-
-  void find_wedges(vertex_descriptor v, Star& star) const
-  {
-    star.read(v, m_tmesh);
-    star.find_wedges(m_tmesh,
-                     [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
-  }
-
-  void list_nodes(Nodes& nodes, Paths& descents, Paths& ascents) const
-  {
-    nodes.lower_begin.push_back(0);
-    nodes.upper_begin.push_back(0);
-    Star star;
-    for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh))) {
-      const std::size_t i = index(v);
-      if (m_states.is_regular(i))
-        continue;
-      std::size_t lower = m_states.number_of_changes(i) / 2, upper = lower;
-      std::size_t number = 1;
-      if (m_states.is_extremum(i) && !has_no_edge(v, m_tmesh)) {
-        (m_order(v, source(halfedge(v, m_tmesh), m_tmesh)) ? upper : lower) = 1;
-      } else if (m_states.is_on_border(i) || lower == 0 ||
-                 !m_states.is_number_of_changes_exact(i) || (m_unfolds && lower > 2))
-      {
-        if (has_no_edge(v, m_tmesh))
-          m_order.check_value(v); // all others are checked by the comparisons
-        find_wedges(v, star);
-        lower = star.number_of_wedges(false);
-        upper = star.number_of_wedges(true);
-        if (lower == 1 && upper == 1)
-          continue;
-        if (m_unfolds)
-          number = star.number_of_simple_saddles();
-      }
-      const std::uint32_t node = static_cast<std::uint32_t>(nodes.size());
-      descents.set_node(v, node);
-      ascents.set_node(v, node);
-      for (std::size_t k = 0; k < number; ++k) {
-        nodes.vertex.push_back(v);
-        nodes.lower_begin.push_back(nodes.lower_begin.back() +
-                                    static_cast<std::uint32_t>(number > 1 ? 2 : lower));
-        nodes.upper_begin.push_back(nodes.upper_begin.back() +
-                                    static_cast<std::uint32_t>(number > 1 ? 2 : upper));
-      }
-    }
-    nodes.lower_end.resize(nodes.lower_begin.back());
-    nodes.upper_end.resize(nodes.upper_begin.back());
-    nodes.lower_halfedge.resize(nodes.lower_begin.back(), null_halfedge());
-    nodes.upper_halfedge.resize(nodes.upper_begin.back(), null_halfedge());
-  }
-
-  // Follows the paths through the wedges, and returns their numbers. A way from a node to another
-  // one of the same vertex has no edge, and no path.
-  std::vector<std::uint32_t>
-  follow(const std::vector<halfedge_descriptor>& halfedges, Paths& paths) const
-  {
-    std::vector<std::uint32_t> path_of_wedge(halfedges.size(), Paths::no_path);
-    std::vector<halfedge_descriptor> edges;
-    edges.reserve(halfedges.size());
-    for (std::size_t w = 0; w < halfedges.size(); ++w)
-      if (halfedges[w] != null_halfedge()) {
-        path_of_wedge[w] = static_cast<std::uint32_t>(edges.size()); // these are the first paths
-        edges.push_back(halfedges[w]);
-      }
-    paths.follow(edges.size(), [&](std::size_t i) { return source(edges[i], m_tmesh); });
-    return path_of_wedge;
-  }
-
-  void find_ends(const std::vector<std::uint32_t>& path_of_wedge,
-                 Paths& paths,
-                 std::vector<std::uint32_t>& ends) const
-  {
-    for (std::size_t w = 0; w < ends.size(); ++w)
-      if (path_of_wedge[w] != Paths::no_path)
-        ends[w] = paths.end(path_of_wedge[w]);
-  }
-
-  void read_wedges(std::uint32_t node, Reader& reader) const
-  {
-    Nodes& nodes = reader.nodes;
-    Star& star = reader.star;
-    if (nodes.is_unfolded(node)) {
-      if (nodes.is_first_of_vertex(node))
-        read_unfolded_wedges(node, reader);
-      return;
-    }
-    find_wedges(nodes.vertex[node], star);
-    std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
-    // the pass over the faces may have seen more than one fan
-    if (star.number_of_wedges(false) != nodes.lower_begin[node + 1] - lower ||
-        star.number_of_wedges(true) != nodes.upper_begin[node + 1] - upper)
-      throw_several_fans();
-
-    const bool sorts = nodes.upper_begin[node + 1] - upper > 1;
-    reader.upper_wedges.clear();
-    for (const auto& wedge : star.wedges) {
-      const halfedge_descriptor h = star.halfedges[wedge.begin];
-      if (!wedge.is_upper)
-        nodes.lower_halfedge[lower++] = h;
-      else
-        reader.upper_wedges.emplace_back(
-            source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), h);
-    }
-    std::sort(reader.upper_wedges.begin(),
-              reader.upper_wedges.end(),
-              [&](const auto& a, const auto& b) { return m_order(a.first, b.first); });
-    for (const auto& wedge : reader.upper_wedges)
-      nodes.upper_halfedge[upper++] = wedge.second;
-  }
-
-  // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1
-  // and L2 across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i +
-  // 1) across U(i); what passes by the last one is Uk.
-  void read_unfolded_wedges(std::uint32_t first, Reader& reader) const
-  {
-    Nodes& nodes = reader.nodes;
-    Star& star = reader.star;
-    find_wedges(nodes.vertex[first], star);
-    star.begin_at_lowest_vertex(m_tmesh, m_order);
-    const auto edge = [&](std::size_t wedge) { return star.halfedges[star.wedges[wedge].begin]; };
-    const auto lowest = [&](std::size_t wedge) {
-      return source(star.lowest_edge(star.wedges[wedge], m_tmesh, m_order), m_tmesh);
-    };
-    const std::size_t number = star.number_of_simple_saddles();
-    for (std::size_t i = 1; i <= number; ++i) {
-      const std::uint32_t node = first + static_cast<std::uint32_t>(i - 1);
-      std::uint32_t lower = nodes.lower_begin[node], upper = nodes.upper_begin[node];
-      if (i > 1)
-        nodes.lower_end[lower++] = node - 1;
-      else
-        nodes.lower_halfedge[lower++] = edge(0);
-      nodes.lower_halfedge[lower] = edge(2 * i);
-      std::size_t wedge = 2 * i - 1, other = 2 * i + 1;
-      if (i < number) {
-        nodes.upper_end[upper++] = node + 1;
-        nodes.upper_halfedge[upper] = edge(wedge);
-      } else {
-        if (m_order(lowest(other), lowest(wedge)))
-          std::swap(wedge, other);
-        nodes.upper_halfedge[upper++] = edge(wedge);
-        nodes.upper_halfedge[upper] = edge(other);
-      }
-    }
-  }
-
-  // The values are copied beside the nodes: reading them through property maps would miss the cache
-  // at every comparison.
-  void sort(Nodes& nodes) const
-  {
-    struct Keyed_node
-    {
-      typename VertexOrder::FT value;
-      std::uint32_t node;
-    };
-    std::vector<Keyed_node> keyed;
-    keyed.reserve(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      keyed.push_back({m_order.value(nodes.vertex[i]), static_cast<std::uint32_t>(i)});
-    internal::sort<ConcurrencyTag>(
-        keyed.begin(), keyed.end(), [&](const Keyed_node& a, const Keyed_node& b) {
-          if (a.value < b.value)
-            return true;
-          if (b.value < a.value)
-            return false;
-          const vertex_descriptor u = nodes.vertex[a.node], v = nodes.vertex[b.node];
-          return u == v ? a.node < b.node : m_order(u, v);
-        });
-    std::vector<std::uint32_t> mesh_number;
-    mesh_number.reserve(keyed.size());
-    for (const Keyed_node& k : keyed)
-      mesh_number.push_back(k.node);
-    renumber(nodes, mesh_number);
-  }
-
-  // The passes over the nodes are much faster if nodes that follow each other lie side by side.
-  // `mesh_number` holds their numbers in the order of the mesh.
-  void renumber(Nodes& nodes, const std::vector<std::uint32_t>& mesh_number) const
-  {
-    const std::size_t size = nodes.size();
-    nodes.number.resize(size);
-    std::vector<vertex_descriptor> vertex(size);
-    for (std::uint32_t i = 0; i < size; ++i) {
-      nodes.number[mesh_number[i]] = i;
-      vertex[i] = nodes.vertex[mesh_number[i]];
-    }
-    nodes.vertex = std::move(vertex);
-    for (std::uint32_t& end : nodes.lower_end)
-      end = nodes.number[end];
-    for (std::uint32_t& end : nodes.upper_end)
-      end = nodes.number[end];
-    renumber_wedges(mesh_number, nodes.lower_begin, nodes.lower_halfedge);
-    renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_halfedge);
-    renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_path);
-    std::vector<std::uint32_t> begin =
-        renumber_wedges(mesh_number, nodes.upper_begin, nodes.upper_end);
-    nodes.upper_begin = std::move(begin);
-    begin = renumber_wedges(mesh_number, nodes.lower_begin, nodes.lower_end);
-    nodes.lower_begin = std::move(begin);
-  }
-
-  // Returns the new beginnings.
-  template <class T>
-  static std::vector<std::uint32_t> renumber_wedges(const std::vector<std::uint32_t>& mesh_number,
-                                                    const std::vector<std::uint32_t>& begin,
-                                                    std::vector<T>& of_wedge)
-  {
-    std::vector<std::uint32_t> new_begin(1, 0);
-    new_begin.reserve(begin.size());
-    std::vector<T> new_of_wedge;
-    new_of_wedge.reserve(of_wedge.size());
-    for (const std::uint32_t i : mesh_number) {
-      for (std::uint32_t w = begin[i]; w < begin[i + 1]; ++w)
-        new_of_wedge.push_back(of_wedge[w]);
-      new_begin.push_back(static_cast<std::uint32_t>(new_of_wedge.size()));
-    }
-    of_wedge = std::move(new_of_wedge);
-    return new_begin;
-  }
-
-  const TriangleMesh& m_tmesh;
-  const VertexOrder& m_order;
-  VertexIndexMap m_vertex_index_map;
-  const Vertex_classification& m_states;
-  const bool m_unfolds;
+  // the first edges of the upper wedges, in the order of their lowest vertices; null for the way to
+  // another node of the same vertex
+  std::vector<halfedge_descriptor> upper_halfedge;
 };
 
 } // namespace internal

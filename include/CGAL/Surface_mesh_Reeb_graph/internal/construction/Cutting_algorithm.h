@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_CUTTING_ALGORITHM_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Contour_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_node_finder.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_nodes.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Loop_cuts.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
@@ -18,15 +19,16 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Vertex_assignment.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/build_merge_forests.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Reeb_graph_request.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -55,7 +57,7 @@ namespace internal {
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Cutting_algorithm
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh>;
   using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Places = Vertex_assignment<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
@@ -91,15 +93,15 @@ public:
         [&]() { merge_superlevel_sets(sequence); });
 
     Cuts cuts(m_tmesh, m_order, m_nodes, ascents, m_states.has_border(), budget);
-    m_may_have_loops = nodes_that_may_have_loops(ascents);
-    if (!m_may_have_loops.empty() && !cuts.find_components(m_may_have_loops))
+    const std::vector<std::uint32_t> may_have_loops = nodes_that_may_have_loops(ascents);
+    if (!may_have_loops.empty() && !cuts.find_components(may_have_loops))
       return false;
     Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
     if (m_request.has_vertex_arcs)
       places.follow_paths(descents, ascents);
-    if (!m_may_have_loops.empty()) {
+    if (!may_have_loops.empty()) {
       Merge_forest forest; // the other one is needed without the cuts if there are none in the end
-      if (!cuts.cut(m_may_have_loops, forest))
+      if (!cuts.cut(may_have_loops, forest))
         return false;
       m_sublevel_forest = std::move(forest);
       sequence = std::move(cuts.sequence);
@@ -129,13 +131,6 @@ public:
     write(sequence, cuts, places, pruning, result);
     return true;
   }
-
-  // What is known when `run()` has returned false: the nodes, and their forests without any cut.
-  const Nodes& nodes() const { return m_nodes; }
-  Merge_forest& sublevel_forest() { return m_sublevel_forest; }
-  Merge_forest& superlevel_forest() { return m_superlevel_forest; }
-  // The nodes below which there may be loops, in increasing order.
-  const std::vector<std::uint32_t>& may_have_loops() const { return m_may_have_loops; }
 
 private:
   Paths paths(Side side) const
@@ -245,9 +240,12 @@ private:
       const std::uint32_t lower = number[arc.lower];
       const std::uint32_t upper =
           number[cuts.is_leaf(arc.upper) ? cuts.saddle_of_leaf(arc.upper) : arc.upper];
+      CGAL_assertion(lower < upper && upper != no_node && arc.position < m_number_above[arc.lower]);
       arc_number[i] = first_arc[lower] + arc.position;
       result.arcs[arc_number[i]] = {lower, upper};
     }
+
+    CGAL_assertion(result.are_arcs_upward());
 
     if (m_request.has_vertex_arcs) {
       result.arc_of_vertex.assign(m_index_bound, no_arc);
@@ -282,7 +280,6 @@ private:
   const Reeb_graph_request m_request;
   Nodes m_nodes;
   Merge_forest m_sublevel_forest, m_superlevel_forest;
-  std::vector<std::uint32_t> m_may_have_loops;               // nodes, in increasing order
   std::vector<std::uint32_t> m_number_below, m_number_above; // of arcs, by node
   // what an upper wedge leads to: a child of its node in the forest, later its position; only on
   // request

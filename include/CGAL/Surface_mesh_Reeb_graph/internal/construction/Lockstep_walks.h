@@ -11,13 +11,15 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_LOCKSTEP_WALKS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/unordered_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -46,7 +48,7 @@ class Lockstep_walks
 
 public:
   Lockstep_walks(const TriangleMesh& tmesh, bool has_border)
-    : m_tmesh(tmesh), m_has_border(has_border)
+    : m_tmesh(tmesh), m_has_border(has_border), m_most_steps(num_halfedges(tmesh))
   {}
 
   void clear()
@@ -72,6 +74,7 @@ public:
   void begin()
   {
     m_number_of_unfinished = number_of_wedges();
+    m_number_of_steps = 0;
     m_turns.clear();
     for (std::uint32_t i = 0; i < number_of_wedges(); ++i) {
       add_turn(forward_walk(i), i);
@@ -109,6 +112,9 @@ public:
   // Lets every walk around `v` take a step. Returns false if all is known.
   bool advance(vertex_descriptor v)
   {
+    // a walk crosses an edge once at most
+    if (++m_number_of_steps > m_most_steps)
+      throw_internal_error("a walk along a level set does not end");
     for (std::size_t i = 0; i < m_turns.size() && !is_done();) {
       if (take_turn(m_turns[i], v)) {
         ++i;
@@ -177,7 +183,7 @@ private:
         if ((is_forward ? m_wedges[i].last : m_wedges[i].first) == h)
           return i;
     }
-    throw_several_fans();
+    throw_internal_error("a walk along a level set has come to no wedge");
   }
 
   // Returns false when the walk is over.
@@ -221,6 +227,7 @@ private:
   void close_ends(std::uint32_t i, std::uint32_t number)
   {
     Wedge& wedge = m_wedges[m_sets.root(i)];
+    CGAL_assertion(number <= wedge.open_ends && m_number_of_unfinished > 0);
     wedge.open_ends -= number;
     if (wedge.open_ends == 0)
       --m_number_of_unfinished;
@@ -235,6 +242,7 @@ private:
   boost::unordered_map<halfedge_descriptor, std::uint32_t> m_wedge_of_first, m_wedge_of_last;
   std::vector<Turn> m_turns;
   std::uint32_t m_number_of_unfinished = 0;
+  std::size_t m_number_of_steps = 0, m_most_steps; // of every walk
 };
 
 } // namespace internal

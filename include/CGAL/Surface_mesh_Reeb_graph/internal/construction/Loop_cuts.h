@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_LOOP_CUTS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_nodes.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Lockstep_walks.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Level_set_component_finder.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Monotone_paths.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Path_cutter.h>
@@ -19,14 +19,16 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/interleaved_tasks.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -46,12 +48,13 @@ namespace internal {
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Loop_cuts
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh>;
   using Star = Vertex_star<TriangleMesh>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
   using halfedge_descriptor = typename Nodes::halfedge_descriptor;
   using Walk = Level_set_walk<TriangleMesh>;
   using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Finder = Level_set_component_finder<ConcurrencyTag, TriangleMesh, VertexOrder>;
   using Cutter = Path_cutter<TriangleMesh, Nodes, Paths>;
 
 public:
@@ -66,7 +69,7 @@ public:
     , m_nodes(nodes)
     , m_ascents(ascents)
     , m_cutter(tmesh, nodes, ascents)
-    , m_has_border(has_border)
+    , m_finder(tmesh, order, nodes, has_border)
     , m_budget(static_cast<std::int64_t>(
           (std::min)(budget, std::size_t((std::numeric_limits<std::int64_t>::max)() / 2))))
     , m_unfolded(tmesh, order)
@@ -76,54 +79,7 @@ public:
   // order, to find its components. Returns false if that takes more steps than the budget allows.
   bool find_components(const std::vector<std::uint32_t>& nodes)
   {
-    m_walked.resize(nodes.size());
-    std::atomic<bool> is_budget_spent(false);
-    std::atomic<std::int64_t> budget(m_budget);
-    // a part of the budget is there for all nodes; the rest is shared out, so that if the first
-    // nodes take more than their shares, it is soon seen that all together will take too much
-    const std::int64_t share =
-        (m_budget - m_budget / 16) / (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
-    std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
-    for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<Walking> tasks((std::min)(end - begin, number_of_interleaved_tasks),
-                                 Walking(*this));
-      // some steps at a time: what is shared by threads is slow
-      constexpr std::int64_t most_steps = 256;
-      std::int64_t steps = 0;
-      const auto spend = [&]() {
-        if (budget.fetch_sub(steps, std::memory_order_relaxed) - steps < reserve)
-          is_budget_spent = true;
-        steps = 0;
-      };
-      run_interleaved(
-          tasks,
-          [&](Walking& walking) {
-            while (begin < end && m_nodes.is_unfolded(nodes[begin]))
-              ++begin;
-            if (begin == end || is_budget_spent)
-              return false;
-            reserve.fetch_sub(share, std::memory_order_relaxed);
-            begin_walking(walking, nodes[begin]);
-            walking.number = begin++;
-            return true;
-          },
-          [&](Walking& walking) {
-            steps += static_cast<std::int64_t>(walking.walks.number_of_walks());
-            if (steps >= most_steps)
-              spend();
-            if (is_budget_spent)
-              return false;
-            if (walking.walks.advance(walking.vertex))
-              return true;
-            end_walking(walking);
-            return false;
-          },
-          [](Walking& walking) { walking.walks.read_crossings(); },
-          [&](Walking& walking) { walking.walks.read_sides(is_below(walking.vertex)); });
-      spend();
-    });
-    m_budget = budget;
-    return !is_budget_spent;
+    return m_finder.find(nodes, m_budget);
   }
 
   // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the
@@ -152,7 +108,11 @@ public:
   }
 
   bool is_leaf(std::uint32_t node) const { return node >= m_nodes.size(); }
-  std::uint32_t saddle_of_leaf(std::uint32_t leaf) const { return saddles[leaf - m_nodes.size()]; }
+  std::uint32_t saddle_of_leaf(std::uint32_t leaf) const
+  {
+    CGAL_precondition(is_leaf(leaf));
+    return saddles[leaf - m_nodes.size()];
+  }
 
   // The cuts of upward paths, which are handed over.
   std::vector<typename Paths::Cut> take_cuts() { return std::move(m_cutter.cuts); }
@@ -161,21 +121,6 @@ public:
   std::vector<std::uint32_t> saddles;  // of the leaves, whose numbers follow those of the nodes
 
 private:
-  // What the walks below a node have found: the component of every lower wedge, named after one of
-  // its wedges, and the component that has not been walked to its end.
-  struct Walked
-  {
-    std::vector<std::uint32_t> component_of_wedge;
-    std::uint32_t longest = no_node;
-    std::size_t crossed_begin = 0, crossed_end = 0; // the edges that the others cross
-  };
-
-  struct Crossed_edge
-  {
-    std::uint32_t component;
-    halfedge_descriptor halfedge; // points to the lower end
-  };
-
   // A walk along a component that is cut at an unfolded saddle.
   struct Cut_walk
   {
@@ -183,55 +128,13 @@ private:
     std::uint32_t leaf;
   };
 
-  // ---- the walks that find the components
-
-  struct Walking
-  {
-    explicit Walking(const Loop_cuts& cuts) : walks(cuts.m_tmesh, cuts.m_has_border) {}
-
-    Lockstep_walks<TriangleMesh> walks;
-    Star star;
-    vertex_descriptor vertex;
-    std::size_t number = 0;
-  };
-
-  void begin_walking(Walking& walking, std::uint32_t node) const
-  {
-    walking.vertex = m_nodes.vertex[node];
-    read_star(walking.vertex, walking.star);
-    walking.walks.clear();
-    for (const auto& wedge : walking.star.wedges)
-      if (!wedge.is_upper)
-        walking.walks.add_wedge(walking.star.halfedges[wedge.begin],
-                                walking.star.halfedges[wedge.end - 1]);
-    walking.walks.begin();
-  }
-
-  void end_walking(Walking& walking)
-  {
-    Walked& walked = m_walked[walking.number];
-    for (std::uint32_t w = 0; w < walking.walks.number_of_wedges(); ++w) {
-      const std::uint32_t component = walking.walks.component(w);
-      walked.component_of_wedge.push_back(component);
-      if (walking.walks.is_longest(component))
-        walked.longest = component;
-    }
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    walked.crossed_begin = m_crossed.size();
-    for (const auto& [wedge, h] : walking.walks.crossed) {
-      const std::uint32_t component = walked.component_of_wedge[wedge];
-      if (component != walked.longest) // up is down in these walks
-        m_crossed.push_back({component, h});
-    }
-    walked.crossed_end = m_crossed.size();
-  }
-
   // ---- the cuts
 
   void attach(std::uint32_t component, std::uint32_t node, Merge_forest& forest)
   {
     if (component == node)
       return;
+    CGAL_assertion(component < node || is_leaf(component));
     forest.attach(component, node);
     m_components.join(component, node);
   }
@@ -250,7 +153,8 @@ private:
 
   void cut_below(std::uint32_t node, std::ptrdiff_t number, Merge_forest& forest)
   {
-    const Walked& walked = m_walked[static_cast<std::size_t>(number)];
+    const typename Finder::Components& walked =
+        m_finder.components[static_cast<std::size_t>(number)];
     // for every component of the level set the one of the sublevel set, found before there are
     // leaves
     struct Component
@@ -274,7 +178,7 @@ private:
       if (components[i].sublevel == components[i - 1].sublevel)
         leaf_of_component[components[i].level] = add_leaf(node, components[i].end, forest);
 
-    read_star(m_nodes.vertex[node], m_star);
+    m_star.read(m_nodes.vertex[node], m_tmesh, m_order);
     std::uint32_t w = 0;
     for (const auto& wedge : m_star.wedges) {
       if (wedge.is_upper)
@@ -285,9 +189,9 @@ private:
       cut_wedge(m_star, wedge, leaf);
     }
     for (std::size_t i = walked.crossed_begin; i < walked.crossed_end; ++i) {
-      const std::uint32_t leaf = leaf_of_component[m_crossed[i].component];
+      const std::uint32_t leaf = leaf_of_component[m_finder.crossed[i].component];
       if (leaf != no_node)
-        m_cutter.cut(m_crossed[i].halfedge, leaf);
+        m_cutter.cut(m_finder.crossed[i].halfedge, leaf);
     }
   }
 
@@ -333,6 +237,7 @@ private:
         Walk walk = Walk(halfedge_descriptor(), true);
         vertex_descriptor vertex;
         std::uint32_t leaf;
+        std::size_t number_of_steps = 0;
       };
       std::vector<Task> tasks((std::min)(end - begin, number_of_interleaved_tasks));
       Cutter cutter(m_tmesh, m_nodes, m_ascents);
@@ -343,6 +248,7 @@ private:
               return false;
             task.walk = m_cut_walks[begin].walk;
             task.leaf = m_cut_walks[begin].leaf;
+            task.number_of_steps = 0;
             task.vertex = m_nodes.vertex[saddle_of_leaf(task.leaf)];
             ++begin;
             return true;
@@ -350,6 +256,7 @@ private:
           [&](Task& task) {
             if (task.walk.is_at_border(m_tmesh))
               return false;
+            check_walk(++task.number_of_steps, m_tmesh);
             const vertex_descriptor v = task.walk.step(m_tmesh, is_below(task.vertex));
             // in the reversed order of these walks, forward is down
             const halfedge_descriptor h = task.walk.halfedge();
@@ -364,13 +271,6 @@ private:
   auto is_below(vertex_descriptor v) const
   {
     return [this, v](vertex_descriptor u) { return m_order(u, v); };
-  }
-
-  void read_star(vertex_descriptor v, Star& star) const
-  {
-    star.read(v, m_tmesh);
-    star.find_wedges(m_tmesh,
-                     [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
   }
 
   Walk first_walk(const Star& star, const typename Star::Wedge& wedge) const
@@ -388,12 +288,10 @@ private:
   const Nodes& m_nodes;
   const Paths& m_ascents;
   Cutter m_cutter;
-  const bool m_has_border;
+  Finder m_finder;
   std::int64_t m_budget;
   Disjoint_sets m_components; // of the sublevel set, with the highest node as the root
-  std::vector<Walked> m_walked;
-  std::vector<Crossed_edge> m_crossed;
-  std::mutex m_mutex; // of m_crossed and m_cutter
+  std::mutex m_mutex;         // of m_cutter
   Unfolded_saddle<TriangleMesh, VertexOrder> m_unfolded;
   std::uint32_t m_first = 0; // of the nodes of its vertex
   Star m_star;

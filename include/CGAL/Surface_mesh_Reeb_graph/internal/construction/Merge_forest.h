@@ -12,7 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 
-#include <algorithm>
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -34,34 +35,30 @@ public:
 
   void clear(std::size_t size) { m_nodes.assign(size, Node()); }
 
-  // Makes the nodes from `begin` to `end` forget their parents and children. (A child outside of
-  // them still has its parent, which must be set anew.)
-  void clear(std::size_t begin, std::size_t end)
-  {
-    std::fill(m_nodes.begin() + static_cast<std::ptrdiff_t>(begin),
-              m_nodes.begin() + static_cast<std::ptrdiff_t>(end),
-              Node());
-  }
-
   std::uint32_t parent(std::uint32_t node) const { return m_nodes[node].parent; }
   std::uint32_t degree(std::uint32_t node) const { return m_nodes[node].degree; }
 
   // How many children of its parent came before.
   std::uint32_t position(std::uint32_t node) const { return m_nodes[node].position; }
 
-  // \pre `degree(node) == 1`
-  std::uint32_t only_child(std::uint32_t node) const { return m_nodes[node].children; }
+  std::uint32_t only_child(std::uint32_t node) const
+  {
+    CGAL_precondition(degree(node) == 1);
+    return m_nodes[node].children;
+  }
 
   void attach(std::uint32_t child, std::uint32_t node)
   {
+    CGAL_precondition(child != node && parent(child) == no_node);
     m_nodes[child].parent = node;
     m_nodes[child].position = m_nodes[node].degree++;
     m_nodes[node].children ^= child;
   }
 
-  // \pre `degree(leaf) == 0`, and `leaf` has a parent
+  // Takes away a node without children from its parent.
   void remove_leaf(std::uint32_t leaf)
   {
+    CGAL_precondition(degree(leaf) == 0 && parent(leaf) != no_node);
     const std::uint32_t node = m_nodes[leaf].parent;
     m_nodes[node].children ^= leaf;
     --m_nodes[node].degree;
@@ -71,7 +68,8 @@ public:
   // Takes away a node with one child, which takes its place.
   void splice(std::uint32_t node)
   {
-    const std::uint32_t child = m_nodes[node].children, parent = m_nodes[node].parent;
+    const std::uint32_t child = only_child(node), parent = m_nodes[node].parent;
+    CGAL_assertion(this->parent(child) == node);
     m_nodes[child].parent = parent;
     m_nodes[child].position = m_nodes[node].position;
     if (parent != no_node)

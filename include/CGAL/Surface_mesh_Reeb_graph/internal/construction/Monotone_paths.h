@@ -11,9 +11,13 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_MONOTONE_PATHS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/interleaved_tasks.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -66,6 +70,7 @@ public:
   // on, before there is any path.
   void set_node(vertex_descriptor v, std::uint32_t node)
   {
+    CGAL_precondition(m_paths.empty());
     m_number_of_nodes = (std::max)(m_number_of_nodes, node + 1);
     m_way[index(v)].store(node + 1, std::memory_order_relaxed);
   }
@@ -108,6 +113,7 @@ public:
   // the vertex.
   halfedge_descriptor way_out(vertex_descriptor v) const
   {
+    CGAL_precondition(path_through(v) != no_path);
     halfedge_descriptor h = halfedge(v, m_tmesh);
     while (!is_on_side(source(h, m_tmesh), v))
       h = next_edge(h);
@@ -117,7 +123,11 @@ public:
   // Cuts the paths, which lead up.
   void set_cuts(std::vector<Cut>&& cuts)
   {
+    CGAL_precondition(m_side == ABOVE);
     m_cuts = std::move(cuts);
+    CGAL_assertion_code(for (const Cut& cut
+                             : m_cuts))
+        CGAL_assertion(cut.path < m_paths.size() && cut.leaf >= m_number_of_nodes);
     std::sort(m_cuts.begin(), m_cuts.end(), [this](const Cut& a, const Cut& b) {
       if (a.path != b.path)
         return a.path < b.path;
@@ -189,6 +199,9 @@ private:
   template <class Start>
   void follow_range(std::size_t first, std::size_t begin, std::size_t end, const Start& start)
   {
+    // a path looks at no edge twice, and no other one at the edges of the same vertex
+    const std::size_t most_looks = num_halfedges(m_tmesh);
+    std::size_t number_of_looks = 0;
     std::vector<Walker> walkers((std::min)(end - begin, number_of_interleaved_tasks));
     run_interleaved(
         walkers,
@@ -201,7 +214,11 @@ private:
           }
           return false;
         },
-        [&](Walker& walker) { return advance(walker); },
+        [&](Walker& walker) {
+          if (++number_of_looks > most_looks)
+            throw_internal_error("a monotone path does not end");
+          return advance(walker);
+        },
         [&](Walker& walker) {
           walker.neighbor = source(walker.edge, m_tmesh);
           walker.next_edge = next_edge(walker.edge);
@@ -220,9 +237,9 @@ private:
     if (walker.is_neighbor_on_side)
       return pass(walker, walker.neighbor, walker.way_of_neighbor);
     walker.edge = walker.next_edge;
-    // the pass over the faces has seen an edge on this side, which is in another fan of faces
+    // the pass over the faces has seen an edge on this side
     if (walker.edge == halfedge(walker.vertex, m_tmesh))
-      throw_several_fans();
+      throw_internal_error("a monotone path ends at a vertex that is no node");
     return true;
   }
 
@@ -278,6 +295,7 @@ private:
 
   std::uint32_t end_from(std::uint32_t way, vertex_descriptor v)
   {
+    CGAL_precondition(way != no_way);
     if (is_node(way))
       return way;
     const std::uint32_t path = way - m_number_of_nodes;

@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/unordered_map.hpp>
 
@@ -44,6 +46,7 @@ public:
   void cut(halfedge_descriptor h, std::uint32_t leaf)
   {
     const vertex_descriptor v = target(h, m_tmesh);
+    CGAL_precondition(m_nodes.size() <= leaf);
     if (!m_has_vertex || v != m_vertex)
       set_vertex(v);
     if (m_path != Paths::no_path) {

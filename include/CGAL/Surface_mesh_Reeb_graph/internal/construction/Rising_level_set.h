@@ -11,6 +11,9 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_RISING_LEVEL_SET_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Sequences.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,19 +55,11 @@ public:
   // last of the latter; more are added as needed: what a regular vertex does.
   void replace(std::vector<std::uint32_t>& run, std::size_t size)
   {
+    CGAL_precondition(!run.empty() && size > 0);
     while (run.size() < size)
       run.push_back(m_sequences.insert_after(run.back()));
     run.resize(size);
     std::reverse(run.begin(), run.end());
-  }
-
-  // Adds a closed component of `size` edges. Returns the element of the first of them; the others'
-  // elements follow.
-  std::uint32_t add_component(std::size_t size, std::uint32_t arc)
-  {
-    const std::uint32_t first = m_sequences.number_of_elements();
-    set_arc({m_sequences.add_balanced(static_cast<std::uint32_t>(size)), 0, true}, arc);
-    return first;
   }
 
   // Says that an element will be needed soon; it may be none.
@@ -74,6 +69,7 @@ public:
   std::uint32_t arc(std::uint32_t element)
   {
     m_sequences.expose(element);
+    CGAL_assertion(m_sequences.number(element) < m_states.size());
     return m_states[m_sequences.number(element)].arc;
   }
 
@@ -106,6 +102,7 @@ public:
   // To be called for every component that `pass()` has made.
   void set_arc(const Component& component, std::uint32_t arc)
   {
+    CGAL_assertion(m_states.size() < first_piece_number - m_pieces.size());
     m_sequences.number(component.root) = static_cast<std::uint32_t>(m_states.size());
     m_states.push_back({arc, component.is_closed});
   }
@@ -170,6 +167,8 @@ private:
     const bool is_piece = number >= m_states.size();
     std::size_t left_gap = no_gap, right_gap = no_gap;
     if (is_piece) {
+      if (first_piece_number - number >= m_pieces.size())
+        throw_internal_error("a part of the level set has got lost");
       Piece& piece = m_pieces[first_piece_number - number];
       left_gap = piece.left_gap;
       right_gap = piece.right_gap;

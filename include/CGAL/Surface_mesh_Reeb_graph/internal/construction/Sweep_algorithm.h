@@ -12,12 +12,15 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Rising_level_set.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Reeb_graph_request.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Edge_numbers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star_batch.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Sequences.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -39,9 +42,6 @@ namespace internal {
 // The components of the level set are sequences of crossed edges, which split and merge in
 // logarithmic time: the sweep takes O(n log n) time whatever the function and the surface. At a
 // regular vertex the upper edges just take over the places of the lower ones.
-//
-// A sweep may also go through a part of the order only: then the components that come from below
-// are given, and those that reach beyond have arcs without an upper end.
 template <class TriangleMesh, class VertexOrder, class VertexIndexMap, class HalfedgeIndexMap>
 class Sweep_algorithm
 {
@@ -82,28 +82,14 @@ public:
     const auto range = halfedges(m_tmesh);
     if (pass_vertices(sorted) !=
         static_cast<std::size_t>(std::distance(range.begin(), range.end())))
-      throw_several_fans();
+      throw_internal_error("the circulations around the vertices miss edges");
+    CGAL_assertion(m_result.are_arcs_upward()); // all of them have come to an end
     if (m_request.has_vertex_arcs)
       m_result.set_arcs_of_nodes(m_vertex_index_map);
     return std::move(m_result);
   }
 
-  // Adds a closed component that comes from below all vertices that are swept, by edges that it
-  // crosses, in the order of a forward walk: one at least, and all those whose upper ends are
-  // swept. Returns the number of its arc.
-  std::uint32_t add_component(const std::vector<halfedge_descriptor>& edges)
-  {
-    const std::uint32_t arc = static_cast<std::uint32_t>(m_result.arcs.size());
-    m_result.arcs.push_back({no_node, no_node});
-    std::uint32_t next = m_level_sets.add_component(edges.size(), arc);
-    for (const halfedge_descriptor h : edges) {
-      if (is_known(h))
-        throw_several_fans();
-      element(h) = next++;
-    }
-    return arc;
-  }
-
+private:
   // Lets the level rise past vertices, given in increasing order. Returns how many edges there are
   // around them, counted for each of them.
   std::size_t pass_vertices(const std::vector<vertex_descriptor>& sorted)
@@ -115,9 +101,7 @@ public:
       stars.read(sorted.data() + begin, size, m_tmesh);
       for (std::size_t i = 0; i < size; ++i) {
         number_of_star_edges += stars[i].halfedges.size();
-        const vertex_descriptor v = sorted[begin + i];
-        stars[i].find_wedges(m_tmesh,
-                             [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
+        stars[i].find_wedges(sorted[begin + i], m_tmesh, m_order);
         for (const halfedge_descriptor h : stars[i].halfedges)
           prefetch(&element(h));
       }
@@ -130,20 +114,6 @@ public:
     return number_of_star_edges;
   }
 
-  // Whether an edge has been added, or reached from its lower end. Not all that are crossed have,
-  // if the sweep began with some of them.
-  bool is_known(halfedge_descriptor h) const
-  {
-    return m_element[m_edge_numbers(h)] != Sequences::none;
-  }
-
-  // The arc of the component that crosses a known edge at the level that has been reached.
-  std::uint32_t arc(halfedge_descriptor h) { return m_level_sets.arc(element_of_lower_edge(h)); }
-
-  // What has been found so far; a node or an arc that is added later has a higher number.
-  const Arc_list<TriangleMesh>& result() const { return m_result; }
-
-private:
   // The element that the edge has in the sequence of its component while it is crossed.
   std::uint32_t& element(halfedge_descriptor h) { return m_element[m_edge_numbers(h)]; }
 
@@ -151,7 +121,7 @@ private:
   {
     const std::uint32_t result = element(h);
     if (result == Sequences::none)
-      throw_several_fans();
+      throw_internal_error("the level set has come past an edge without its lower end");
     return result;
   }
 
@@ -189,6 +159,7 @@ private:
   {
     const auto& lower = star.wedges[star.wedges[0].is_upper ? 1 : 0];
     const auto& upper = star.wedges[star.wedges[0].is_upper ? 0 : 1];
+    CGAL_assertion(!lower.is_upper && upper.is_upper);
     m_elements.clear();
     for (std::size_t i = lower.begin; i < lower.end; ++i)
       m_elements.push_back(element_of_lower_edge(star.halfedges[i]));

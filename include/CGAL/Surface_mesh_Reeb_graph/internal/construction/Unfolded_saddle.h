@@ -13,6 +13,9 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
+
+#include <CGAL/assertions.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/unordered_map.hpp>
@@ -52,28 +55,29 @@ public:
   {
     if (!m_star.halfedges.empty() && target(m_star.halfedges.front(), m_tmesh) == v)
       return true;
-    m_star.read(v, m_tmesh);
-    m_star.find_wedges(m_tmesh,
-                       [&](halfedge_descriptor h) { return m_order(v, source(h, m_tmesh)); });
+    m_star.read(v, m_tmesh, m_order);
     m_star.begin_at_lowest_vertex(m_tmesh, m_order);
 
     const std::size_t k = m_star.wedges.size() / 2;
-    boost::unordered_map<halfedge_descriptor, std::size_t> wedge_of_last;
+    boost::unordered_map<halfedge_descriptor, std::uint32_t> wedge_of_last;
     for (std::size_t w = 0; w < k; ++w)
-      wedge_of_last.emplace(m_star.halfedges[m_star.wedges[2 * w].end - 1], w);
+      wedge_of_last.emplace(m_star.halfedges[m_star.wedges[2 * w].end - 1],
+                            static_cast<std::uint32_t>(w));
     m_previous.assign(k, no_wedge);
     m_next.assign(k, no_wedge);
     const auto is_below = [&](vertex_descriptor u) { return m_order(u, v); };
     for (std::size_t w = 0; w < k; ++w) {
       Walk walk(opposite(m_star.halfedges[m_star.wedges[2 * w].begin], m_tmesh), true);
+      std::size_t number_of_steps = 0;
       while (!walk.is_at_border(m_tmesh)) {
+        check_walk(++number_of_steps, m_tmesh);
         if (budget-- <= 0)
           return false;
         if (walk.step(m_tmesh, is_below) != v)
           continue;
         const auto found = wedge_of_last.find(opposite(walk.halfedge(), m_tmesh));
         if (found == wedge_of_last.end())
-          throw_several_fans();
+          throw_internal_error("a walk along a level set has come to no wedge");
         m_previous[w] = found->second;
         m_next[found->second] = w;
         break;
@@ -88,6 +92,7 @@ public:
   // of the component of L(i + 1) are told by the functions that follow.
   bool is_one_component(std::size_t i, std::int64_t& budget)
   {
+    CGAL_precondition(0 < i && i < m_next.size());
     m_traced_wedges.assign(1, 2 * i);
     m_traced_first_ends.clear();
     m_traced_last_ends.clear();

@@ -13,11 +13,16 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_nodes.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Loop_cuts.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Monotone_paths.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +38,7 @@ namespace internal {
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Vertex_assignment
 {
-  using Nodes = Critical_nodes<TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Nodes = Critical_nodes<TriangleMesh>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
@@ -76,7 +81,8 @@ public:
     count_nodes_below(sequence);
     // in the order of the numbers, so that the ways along the parents can be shortened for all that
     // follow
-    const std::vector<std::uint32_t> sorted = vertices_by_number(sequence.size());
+    const std::vector<std::uint32_t> sorted = items_sorted_by_counting(
+        m_vertices.size(), sequence.size() + 1, [&](std::size_t i) { return m_number[i]; });
     m_position.resize(sequence.size());
     for (std::size_t i = 0; i < sequence.size(); ++i)
       m_position[sequence[i]] = static_cast<std::uint32_t>(i);
@@ -145,20 +151,6 @@ private:
     });
   }
 
-  // By counting sort.
-  std::vector<std::uint32_t> vertices_by_number(std::size_t largest_number) const
-  {
-    std::vector<std::size_t> begin(largest_number + 2, 0);
-    for (const std::uint32_t number : m_number)
-      ++begin[number + 1];
-    for (std::size_t i = 1; i < begin.size(); ++i)
-      begin[i] += begin[i - 1];
-    std::vector<std::uint32_t> result(m_vertices.size());
-    for (std::size_t i = 0; i < m_vertices.size(); ++i)
-      result[begin[m_number[i]]++] = static_cast<std::uint32_t>(i);
-    return result;
-  }
-
   // Leads every vertex from a node along its parents as far as they lie on the near side of the
   // vertex.
   template <class Iterator, class IsNear>
@@ -173,6 +165,7 @@ private:
       parents[node] = forest.parent(node);
     for (Iterator i = begin; i != end; ++i) {
       std::uint32_t& node = node_of_vertex[index(*i)];
+      CGAL_assertion(is_near(node, *i) || vertex_of_node(node) == m_vertices[*i]);
       for (;;) {
         const std::uint32_t parent = parents[node];
         if (parent == no_node || !is_near(parent, *i))

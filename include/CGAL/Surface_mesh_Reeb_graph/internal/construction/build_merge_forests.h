@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,9 +28,9 @@ struct Ignore_components
   void operator()(std::uint32_t, std::uint32_t) const {}
 };
 
-// Adds to a forest, which has room for all names and knows nothing of these nodes yet: visits the
-// nodes in the given order and merges the components that their wedges lead to, which are told by
-// nodes in them, the ends of the wedges. The sequence may hold more names than there are nodes:
+// Makes a forest that is empty and has room for all names: visits the nodes in the given order and
+// merges the components that their wedges lead to, which are told by nodes in them, the ends of the
+// wedges. The sequence may hold more names than there are nodes:
 // those of leaves, which are components of their own. Calls `set_component(wedge, node)` for every
 // wedge with the last node of its component, the child that the component has in the forest.
 template <class Iterator, class SetComponent>
@@ -51,6 +53,7 @@ void merge_components(Iterator begin,
       components.push_back(sets.root(wedge_end[w]));
     for (std::size_t k = 0; k < components.size(); ++k) {
       const std::uint32_t component = components[k];
+      CGAL_assertion(component != node); // the ends of the wedges have been visited before
       set_component(wedge_begin[node] + static_cast<std::uint32_t>(k), component);
       if (forest.parent(component) == node)
         continue;

@@ -10,8 +10,13 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_GRAPH_ARC_LIST_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_GRAPH_ARC_LIST_H
 
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
+
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,32 +34,10 @@ struct Arc_ends
   std::uint32_t lower, upper; // positions in the list of nodes
 };
 
-// The two directions along a Reeb graph. What is said of minima holds for maxima with the graph
-// upside down, so the code says it once, for a side.
-enum Side { BELOW = 0, ABOVE = 1 };
-
-inline Side opposite_side(Side side)
-{
-  return side == BELOW ? ABOVE : BELOW;
-}
-
-inline bool lies_towards(Side side, std::uint32_t i, std::uint32_t j)
-{
-  return side == BELOW ? i < j : j < i;
-}
-
 inline std::uint32_t end_on(Side side, const Arc_ends& arc)
 {
   return side == BELOW ? arc.lower : arc.upper;
 }
-
-// What a user wants of a Reeb graph.
-struct Reeb_graph_request
-{
-  bool unfolds = false;        // multiple saddles into simple ones
-  bool has_vertex_arcs = true; // fills Arc_list::arc_of_vertex
-  bool has_wedge_arcs = false; // fills Arc_list::upper_wedges
-};
 
 // A Reeb graph as plain lists: what the algorithms make, before it is written to the user's graph.
 template <class TriangleMesh>
@@ -76,12 +59,21 @@ struct Arc_list
   std::vector<std::uint32_t> arc_of_vertex; // by vertex index; no_arc if the vertex has no edge
   std::vector<Upper_wedge> upper_wedges;    // of the vertices that several arcs begin at
 
+  // Whether every arc leads from a node to a higher one.
+  bool are_arcs_upward() const
+  {
+    return std::all_of(arcs.begin(), arcs.end(), [this](const Arc_ends& arc) {
+      return arc.lower < arc.upper && arc.upper < nodes.size();
+    });
+  }
+
   // Gives the vertex of every node the first arc that begins there, or else the first that ends
   // there. If several nodes have one vertex, the first node counts.
   template <class VertexIndexMap>
   void set_arcs_of_nodes(VertexIndexMap vertex_index_map)
   {
     std::vector<std::uint32_t> first_arc(nodes.size(), no_arc);
+    CGAL_assertion(are_arcs_upward());
     for (std::uint32_t a = static_cast<std::uint32_t>(arcs.size()); a-- > 0;)
       first_arc[arcs[a].upper] = a;
     for (std::uint32_t a = static_cast<std::uint32_t>(arcs.size()); a-- > 0;)

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -55,7 +56,10 @@ public:
   std::size_t operator()(halfedge_descriptor h) const
   {
     const std::size_t i = halfedge_index(h);
-    return m_are_halfedges_paired ? i / 2 : (std::min)(i, halfedge_index(opposite(h, m_tmesh)));
+    const std::size_t number =
+        m_are_halfedges_paired ? i / 2 : (std::min)(i, halfedge_index(opposite(h, m_tmesh)));
+    CGAL_assertion(number < m_bound);
+    return number;
   }
 
 private:

@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_LEVEL_SET_WALK_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_LEVEL_SET_WALK_H
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
@@ -60,6 +62,7 @@ public:
   // \pre the walk is not at the border
   void cross(const Crossing& crossing, bool is_vertex_above, const TriangleMesh& tmesh)
   {
+    CGAL_precondition(!is_at_border(tmesh));
     m_halfedge = opposite(crossing.ways[is_vertex_above == m_is_forward ? 1 : 0], tmesh);
   }
 
@@ -70,6 +73,8 @@ public:
   {
     const Crossing next_crossing = crossing(tmesh);
     cross(next_crossing, is_above(next_crossing.vertex), tmesh);
+    CGAL_assertion(is_above(target(m_halfedge, tmesh)) == m_is_forward &&
+                   is_above(source(m_halfedge, tmesh)) != m_is_forward);
     return next_crossing.vertex;
   }
 

@@ -38,6 +38,8 @@ class Vertex_classification
 public:
   explicit Vertex_classification(std::size_t index_bound) : m_states(index_bound, 0) {}
 
+  std::size_t index_bound() const { return m_states.size(); }
+
   // Makes the pass. `key(v)` gives what vertices are compared by. Returns false if the keys of a
   // face are not distinct; the states mean nothing then.
   template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class Key>
@@ -166,7 +168,7 @@ private:
         const std::size_t i0 = static_cast<std::size_t>(get(vertex_index_map, v0)),
                           i1 = static_cast<std::size_t>(get(vertex_index_map, v1)),
                           i2 = static_cast<std::size_t>(get(vertex_index_map, v2));
-        // of the three comparisons two are alike; the middle vertex takes part in both
+        // of the three comparisons two agree; the middle vertex takes part in both
         const std::size_t other = b == c ? i2 : i0;
         middle[i] = a == b ? i1 : other;
       }

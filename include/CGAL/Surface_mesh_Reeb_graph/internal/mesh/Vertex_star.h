@@ -12,7 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -49,18 +50,19 @@ public:
     wedges.clear();
   }
 
-  void read(vertex_descriptor v, const TriangleMesh& tmesh)
+  // Reads the edges around a vertex, and finds their wedges.
+  template <class VertexOrder>
+  void read(vertex_descriptor v, const TriangleMesh& tmesh, const VertexOrder& order)
   {
     clear();
-    if (!has_no_edge(v, tmesh))
-      for (halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh))
-        halfedges.push_back(h);
+    for_each_halfedge_to(v, tmesh, [&](halfedge_descriptor h) { halfedges.push_back(h); });
+    find_wedges(v, tmesh, order);
   }
 
-  // Finds the wedges; `is_above(h)` tells whether the edge `h` leads to a vertex above the level.
-  // The edges are rotated so that no wedge goes across the end of their list.
-  template <class IsAbove>
-  void find_wedges(const TriangleMesh& tmesh, const IsAbove& is_above)
+  // Finds the wedges when the edges have been read. These are rotated so that no wedge goes across
+  // the end of their list.
+  template <class VertexOrder>
+  void find_wedges(vertex_descriptor v, const TriangleMesh& tmesh, const VertexOrder& order)
   {
     wedges.clear();
     const std::size_t size = halfedges.size();
@@ -68,7 +70,7 @@ public:
       return;
     m_is_above.clear();
     for (halfedge_descriptor h : halfedges)
-      m_is_above.push_back(is_above(h));
+      m_is_above.push_back(order(v, source(h, tmesh)));
 
     const auto begins_wedge = [&](std::size_t i) {
       const std::size_t previous = i == 0 ? size - 1 : i - 1;
@@ -107,6 +109,7 @@ public:
   halfedge_descriptor
   lowest_edge(const Wedge& wedge, const TriangleMesh& tmesh, const Less& less) const
   {
+    CGAL_precondition(wedge.begin < wedge.end && wedge.end <= halfedges.size());
     return *std::min_element(halfedges.begin() + wedge.begin,
                              halfedges.begin() + wedge.end,
                              [&](halfedge_descriptor g, halfedge_descriptor h) {
@@ -120,6 +123,7 @@ public:
   template <class Less>
   void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)
   {
+    CGAL_precondition(is_closed() && wedges.size() % 2 == 0);
     std::size_t first = wedges.size();
     halfedge_descriptor lowest = halfedges.front();
     for (std::size_t w = 0; w < wedges.size(); ++w) {
@@ -138,7 +142,9 @@ public:
       const std::size_t length = wedge.end - wedge.begin;
       wedge.begin = (wedge.begin + size - shift) % size;
       wedge.end = wedge.begin + length;
+      CGAL_assertion(wedge.end <= size);
     }
+    CGAL_postcondition(!wedges.front().is_upper && wedges.front().begin == 0);
   }
 
   // An option unfolds a vertex with more than two wedges on either side in a closed fan into simple

@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
@@ -41,6 +43,7 @@ public:
   // Reads the edges around `size` vertices, at most `capacity`.
   void read(const vertex_descriptor* vertices, std::size_t size, const TriangleMesh& tmesh)
   {
+    CGAL_precondition(size <= capacity);
     std::array<std::size_t, capacity> active;
     std::size_t number_of_active = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -57,6 +60,7 @@ public:
         if (h == star.front()) {
           active[k] = active[--number_of_active];
         } else {
+          check_walk(star.size(), tmesh);
           star.push_back(h);
           ++k;
         }

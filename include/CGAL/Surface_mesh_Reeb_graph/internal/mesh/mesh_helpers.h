@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_MESH_HELPERS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -42,11 +43,34 @@ bool has_no_edge(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v
   return halfedge(v, tmesh) == boost::graph_traits<TriangleMesh>::null_halfedge();
 }
 
-// A circulation sees one closed fan of faces around a vertex. If there are several, the data
-// structure cannot show them all, and sooner or later something does not fit.
-[[noreturn]] inline void throw_several_fans()
+// To be called for every step of a walk that visits a halfedge once at most, with the number of
+// steps: in a halfedge structure that is not valid it may not come back to where it began.
+template <class TriangleMesh>
+void check_walk(std::size_t number_of_steps, const TriangleMesh& tmesh)
 {
-  throw Input_error("the mesh is not a 2-manifold: the faces around a vertex form several fans");
+  // rarely, as the number of halfedges may take long to find
+  constexpr std::size_t first_check = 1024;
+  const bool is_power_of_2 = (number_of_steps & (number_of_steps - 1)) == 0;
+  if (is_power_of_2 && number_of_steps >= first_check && number_of_steps > num_halfedges(tmesh))
+    throw_internal_error("a walk over the mesh does not end");
+}
+
+// Calls `function(h)` for the halfedges that point to a vertex.
+template <class TriangleMesh, class Function>
+void for_each_halfedge_to(typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                          const TriangleMesh& tmesh,
+                          const Function& function)
+{
+  const auto first = halfedge(v, tmesh);
+  if (first == boost::graph_traits<TriangleMesh>::null_halfedge())
+    return;
+  auto h = first;
+  std::size_t number_of_steps = 0;
+  do {
+    function(h);
+    check_walk(++number_of_steps, tmesh);
+    h = opposite(next(h, tmesh), tmesh);
+  } while (h != first);
 }
 
 // Checked in every build mode: what follows may not end, or read outside of arrays.
@@ -62,10 +86,7 @@ void for_each_neighbor(typename boost::graph_traits<TriangleMesh>::vertex_descri
                        const TriangleMesh& tmesh,
                        Function function)
 {
-  if (has_no_edge(v, tmesh))
-    return;
-  for (auto h : CGAL::halfedges_around_target(v, tmesh))
-    function(source(h, tmesh));
+  for_each_halfedge_to(v, tmesh, [&](auto h) { function(source(h, tmesh)); });
 }
 
 // The middle one of the vertices of a face.

@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_DISJOINT_SETS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_DISJOINT_SETS_H
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -41,9 +43,15 @@ public:
   }
 
   // Joins the set of the root `i` to the set of the root `j`.
-  void join(std::uint32_t i, std::uint32_t j) { m_parent[i] = j; }
+  void join(std::uint32_t i, std::uint32_t j)
+  {
+    CGAL_precondition(is_root(i) && is_root(j));
+    m_parent[i] = j;
+  }
 
 private:
+  bool is_root(std::uint32_t i) const { return i < m_parent.size() && m_parent[i] == i; }
+
   std::vector<std::uint32_t> m_parent;
 };
 
