@@ -41,8 +41,7 @@ public:
   \param options the accuracy wanted, a seed, and the callback of the user, which
          `Eigensolver_options::report_progress()` calls
 
-  \throws Error or a class derived from it if that fails; the message need not name the
-         component
+  \throws Numerical_error if that fails; the message need not name the component
   */
   LaplaceBeltramiEigensolver(const Eigen::SparseMatrix<double>& stiffness,
                              const Eigen::VectorXd& mass,
@@ -63,7 +62,7 @@ public:
 
   \pre `number > 0`
 
-  \throws Error or a class derived from it if anything else fails
+  \throws Numerical_error if anything else fails
   */
   Eigenpairs smallest(Eigen::Index number);
 };

@@ -7,12 +7,16 @@ eigensolvers of this package. It is \cgal's concept `SparseLinearAlgebraWithFact
 as it is used here, with `double` as number type, for one symmetric positive definite matrix;
 `CGAL::Eigen_solver_traits` with any direct solver of \eigen is a model.
 
-Two members are optional, and are used if they are there when the program is compiled; both save
+Some members are optional, and are used if they are there when the program is compiled. They save
 most of the time of a solve, since the factor is read once for eight right-hand sides:
 - `%solver()`, which returns a reference to a solver with the functions `solve(b)` of \eigen, for an
   `Eigen::MatrixXd` with eight columns, and `info()`;
 - a function `solve_in_place(x)` of that solver, which overwrites the right-hand sides `x`, an
-  `Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>&`, by the solutions.
+  `Eigen::Matrix<double, Eigen::Dynamic, 8, Eigen::RowMajor>&`, by the solutions;
+- two functions of that solver, `permutationP()` and `solve_permuted_in_place(x)`: the first returns
+  a permutation *P* of \eigen, and the second does what `solve_in_place()` does for the system *P A
+  P^T X = B*, where *A* is the matrix. So no right-hand side has to be brought into the order of the
+  factor and back; `Supernodal_Cholesky` has them.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Eigen_solver_traits}

@@ -14,16 +14,17 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Block_basis.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Block_coefficients.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Default_solver_traits.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Shift_inverted_operator.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/block_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/symmetric_eigenpairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Uniform_random_numbers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/huge_pages.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -77,7 +78,9 @@ public:
   \param shift *sigma*: positive, of the order of the smallest non-zero eigenvalue
   \param options seed, tolerance and callback
 
-  \throws Error if the factorization fails
+  \pre the matrices have the same size, and the shift is positive
+
+  \throws Numerical_error if the factorization fails
   \throws Interruption if the callback returns `false`
   */
   Block_Lanczos_eigensolver(const Eigen::SparseMatrix<double>& stiffness,
@@ -96,7 +99,7 @@ public:
 
   \pre `number > 0`
 
-  \throws Error if a linear system could not be solved
+  \throws Numerical_error if a linear system could not be solved, or an iteration did not converge
   \throws Interruption if the callback returns `false`
   */
   Eigenpairs smallest(Eigen::Index number)
@@ -182,17 +185,16 @@ private:
     const Eigen::Index p = m_processed;
     Row_block w = m_basis.new_block(m_operator.rows());
     multiply(p, w);
-    Block_coefficients rest = Block_coefficients::Identity();
+    Block_coefficients rest = Block_coefficients::identity();
     const bool is_loose = !m_is_loose && p + 1 == m_basis.size() &&
                           normalize(w, internal::transposed_product(w, w), rest) &&
-                          rest.diagonal().cwiseAbs().minCoeff() >= smallest_coupling * m_scale;
+                          internal::smallest_on_diagonal(rest) >= smallest_coupling * m_scale;
     if (!is_loose)
       rest = orthonormalize(w) * rest;
     m_is_loose = is_loose;
     ++m_processed;
     insert(position, std::move(w));
-    coefficients(position, p) = rest;
-    coefficients(p, position) = rest.transpose();
+    set_coefficients(position, p, rest);
   }
 
   // `w = A V_p`, without what is in the blocks that T tells about and in the pending ones, whose
@@ -203,18 +205,15 @@ private:
     // What T says already goes first, and then what cancels most: the coefficients of the pending
     // blocks.
     std::vector<std::pair<Eigen::Index, Block_coefficients>> known;
-    for (Eigen::Index i = 0; i < p; ++i)
-      if (!coefficients(i, p).isZero(0))
-        known.emplace_back(i, coefficients(i, p));
-    const std::vector<Block_coefficients> c = m_basis.subtract_and_project(known, p, w);
-    for (Eigen::Index i = p; i < m_basis.size(); ++i) {
-      Block_coefficients c_i = c[static_cast<std::size_t>(i)];
-      if (i == p)
-        c_i = (c_i + c_i.transpose()).eval() / 2;
-      coefficients(i, p) = c_i;
-      coefficients(p, i) = c_i.transpose();
+    for (Eigen::Index i = 0; i < p; ++i) {
+      const Block_coefficients c = coefficients(i, p);
+      if (!c.is_zero())
+        known.emplace_back(i, c);
     }
-    m_scale = (std::max)(m_scale, coefficients(p, p).diagonal().cwiseAbs().maxCoeff());
+    const std::vector<Block_coefficients> c = m_basis.subtract_and_project(known, p, w);
+    for (Eigen::Index i = p; i < m_basis.size(); ++i)
+      set_coefficients(i, p, c[static_cast<std::size_t>(i)]);
+    m_scale = (std::max)(m_scale, internal::largest_on_diagonal(coefficients(p, p)));
   }
 
   // Makes the columns of w orthonormal and orthogonal to the basis, and the loose block as well.
@@ -227,27 +226,25 @@ private:
   {
     constexpr int max_passes = 6;
     constexpr double negligible = 1e-14;
-    Block_coefficients b = Block_coefficients::Identity();
+    Block_coefficients b = Block_coefficients::identity();
     for (int pass = 0; pass < max_passes; ++pass) {
       const Block_coefficients square = m_basis.project_out_of(w, m_is_loose ? m_processed : -1);
       m_is_loose = false;
       if (normalize(w, square, b))
         return b;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rotation(
-          internal::transposed_product(w, w));
-      internal::multiply_from_right(w, rotation.eigenvectors());
-      b = rotation.eigenvectors().transpose() * b;
-      for (Eigen::Index j = 0; j < width; ++j) {
-        const double norm = w.col(j).norm();
-        if (norm > negligible * m_scale) {
-          w.col(j) /= norm;
-          b.row(j) *= norm;
-        } else {
-          for (Eigen::Index i = 0; i < w.rows(); ++i)
-            w(i, j) = m_random.next();
-          w.col(j).normalize();
-          b.row(j).setZero();
-        }
+      const Block_coefficients q = rotation(internal::transposed_product(w, w));
+      const Block_coefficients squared_norms = internal::multiply_from_right(w, q);
+      b = q.transposed() * b;
+      for (int j = 0; j < width; ++j) {
+        const double norm = std::sqrt(squared_norms(j, j));
+        const bool is_negligible = !(norm > negligible * m_scale);
+        if (is_negligible)
+          make_random(w, j);
+        const double factor = is_negligible ? 1 / column_norm(w, j) : 1 / norm;
+        for (Eigen::Index i = 0; i < w.rows(); ++i)
+          w(i, j) *= factor;
+        for (int k = 0; k < width; ++k)
+          b(j, k) = is_negligible ? 0 : norm * b(j, k);
       }
     }
     throw Numerical_error("the Lanczos vectors could not be made orthogonal");
@@ -262,18 +259,43 @@ private:
     constexpr double well_conditioned = 1e-2;
     Block_coefficients next_square = square;
     for (int i = 0; i < 2; ++i) {
-      const Eigen::LLT<Block_coefficients> cholesky(next_square);
-      const Eigen::VectorXd pivots = cholesky.matrixLLT().diagonal();
-      if (cholesky.info() != Eigen::Success ||
-          !(pivots.minCoeff() >= well_conditioned * pivots.maxCoeff()))
+      Block_coefficients r;
+      if (!internal::factor_symmetric(next_square, r) ||
+          !(internal::smallest_on_diagonal(r) >=
+            well_conditioned * internal::largest_on_diagonal(r)))
         return false;
-      const Block_coefficients r = cholesky.matrixU();
-      const Block_coefficients inverse =
-          cholesky.matrixU().solve(Block_coefficients(Block_coefficients::Identity()));
-      next_square = internal::multiply_from_right(w, inverse);
+      next_square = internal::multiply_from_right(w, internal::inverse_of_upper_triangle(r));
       b = r * b;
     }
     return true;
+  }
+
+  // The eigenvectors of a symmetric matrix, as columns.
+  static Block_coefficients rotation(const Block_coefficients& square)
+  {
+    const internal::Symmetric_eigenpairs pairs = internal::symmetric_eigenpairs(
+        Eigen::Map<const Eigen::MatrixXd>(square.data(), width, width));
+    if (!pairs.have_converged)
+      throw Numerical_error("the eigenvectors of the products of a block did not converge");
+    Block_coefficients result;
+    for (int i = 0; i < width; ++i)
+      for (int j = 0; j < width; ++j)
+        result(i, j) = pairs.vectors(i, j);
+    return result;
+  }
+
+  static double column_norm(const Row_block& w, int j)
+  {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < w.rows(); ++i)
+      sum += w(i, j) * w(i, j);
+    return std::sqrt(sum);
+  }
+
+  void make_random(Row_block& w, int j)
+  {
+    for (Eigen::Index i = 0; i < w.rows(); ++i)
+      w(i, j) = m_random.next();
   }
 
   void insert_random_block(Eigen::Index position)
@@ -299,9 +321,24 @@ private:
     m_projected.swap(projected);
   }
 
-  Eigen::Block<Eigen::MatrixXd, width, width> coefficients(Eigen::Index i, Eigen::Index j)
+  Block_coefficients coefficients(Eigen::Index i, Eigen::Index j) const
   {
-    return m_projected.block<width, width>(width * i, width * j);
+    Block_coefficients result;
+    for (int k = 0; k < width; ++k)
+      for (int l = 0; l < width; ++l)
+        result(k, l) = m_projected(width * i + k, width * j + l);
+    return result;
+  }
+
+  // Of blocks i and j, and of j and i. Those of a block with itself are symmetric up to rounding.
+  void set_coefficients(Eigen::Index i, Eigen::Index j, const Block_coefficients& c)
+  {
+    for (int k = 0; k < width; ++k)
+      for (int l = 0; l < width; ++l) {
+        const double x = i == j ? (c(k, l) + c(l, k)) / 2 : c(k, l);
+        m_projected(width * i + k, width * j + l) = x;
+        m_projected(width * j + l, width * i + k) = x;
+      }
   }
 
   // The eigenpairs of the projection of A on the processed part of the basis, with decreasing
@@ -309,15 +346,23 @@ private:
   void compute_Ritz_pairs()
   {
     const Eigen::Index size = width * m_processed;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        m_projected.topLeftCorner(size, size));
-    if (solver.info() != Eigen::Success)
+    const internal::Symmetric_eigenpairs pairs =
+        internal::symmetric_eigenpairs(m_projected.topLeftCorner(size, size));
+    if (!pairs.have_converged)
       throw Numerical_error("the eigenvalues of the projected matrix did not converge");
-    // new matrices, since Eigen's frees its memory again if there is none for another size
-    m_Ritz_values = Eigen::VectorXd(solver.eigenvalues().reverse());
-    m_Ritz_vectors = Eigen::MatrixXd(solver.eigenvectors().rowwise().reverse());
-    m_Ritz_couplings = Eigen::MatrixXd(
-        m_projected.bottomLeftCorner(m_projected.rows() - size, size) * m_Ritz_vectors);
+    const Eigen::Index pending = m_projected.rows() - size;
+    m_Ritz_values.resize(size);
+    m_Ritz_vectors.resize(size, size);
+    m_Ritz_couplings.resize(pending, size);
+    m_Ritz_couplings.setZero();
+    for (Eigen::Index j = 0; j < size; ++j) {
+      m_Ritz_values[j] = pairs.values[size - 1 - j];
+      m_Ritz_vectors.col(j) = pairs.vectors.col(size - 1 - j);
+      double* const coupling = m_Ritz_couplings.data() + pending * j;
+      for (Eigen::Index k = 0; k < size; ++k)
+        for (Eigen::Index i = 0; i < pending; ++i)
+          coupling[i] += m_projected(size + i, k) * m_Ritz_vectors(k, j);
+    }
   }
 
   Eigen::Index number_converged() const
@@ -332,10 +377,11 @@ private:
   // How far the worst of the `number` largest eigenpairs is from its tolerance.
   double largest_relative_coupling(Eigen::Index number) const
   {
-    number = (std::min)(number, m_Ritz_values.size());
-    return (m_Ritz_couplings.leftCols(number).colwise().norm().transpose().array() /
-            (m_tolerance * m_Ritz_values.head(number).array().abs()))
-        .maxCoeff();
+    double result = 0;
+    for (Eigen::Index i = 0; i < (std::min)(number, m_Ritz_values.size()); ++i)
+      result = (std::max)(
+          result, m_Ritz_couplings.col(i).norm() / (m_tolerance * std::abs(m_Ritz_values[i])));
+    return result;
   }
 
   // Replaces the processed part of the basis by the first Ritz vectors, as many as fill `blocks`.
@@ -422,9 +468,11 @@ private:
   Eigen::VectorXd eigenvalues_from(Eigen::Index first) const
   {
     const Eigen::Index size = width * m_processed - first;
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-               m_projected.block(first, first, size, size), Eigen::EigenvaluesOnly)
-        .eigenvalues();
+    internal::Symmetric_eigenpairs pairs =
+        internal::symmetric_eigenpairs(m_projected.block(first, first, size, size), false);
+    if (!pairs.have_converged)
+      throw Numerical_error("the eigenvalues of the projected matrix did not converge");
+    return std::move(pairs.values);
   }
 
   Eigenpairs eigenpairs(Eigen::Index number, bool have_converged)
@@ -444,7 +492,7 @@ private:
         const Eigen::Index size = (std::min)(width, number - j);
         y = m_basis[j / width];
         m_operator.to_eigenfunctions(
-            y, m_Ritz_values.segment(j, size), result.vectors.middleCols(j, size));
+            y, m_Ritz_values.data() + j, result.vectors.middleCols(j, size));
       }
     }
     m_options.report_progress(1);

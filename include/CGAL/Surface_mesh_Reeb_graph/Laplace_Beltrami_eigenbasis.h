@@ -179,11 +179,12 @@ public:
   Takes one sparse factorization for every component and some hundred solves with it, and holds
   below 2.5 kB for every vertex of a component at 50 pairs, of which the result has 0.4.
 
-  \pre `CGAL::is_triangle_mesh(tmesh)`
+  \pre the number of eigenpairs is at least 1, and the tolerance is not negative
 
-  \throws Error if a face is not a triangle, a coordinate is not a finite number, the
-          whole surface has no area, the factorization fails, the eigensolver does not converge, or
-          a residual is larger than the tolerance
+  \throws Input_error if a face is not a triangle, a coordinate is not a finite number, or the
+          whole surface has no area
+  \throws Numerical_error if the factorization fails, the eigensolver does not converge, or a
+          residual is larger than the tolerance
   \throws Interruption if the callback returns `false`
   */
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -198,10 +199,10 @@ public:
 
     const auto number_of_eigenpairs = static_cast<long long>(
         internal::choose_own_parameter(np, internal::tags::number_of_eigenpairs, 50));
-    if (number_of_eigenpairs < 1)
-      throw Input_error("the number of eigenpairs must be at least 1");
+    CGAL_precondition(number_of_eigenpairs >= 1);
     const double tolerance =
         internal::choose_own_parameter(np, internal::tags::residual_tolerance, 1e-8);
+    CGAL_precondition(tolerance >= 0);
     const bool use_intrinsic_Delaunay =
         internal::choose_own_parameter(np, internal::tags::use_intrinsic_Delaunay, false);
     const bool extend_to_gap =
@@ -270,22 +271,26 @@ public:
   std::size_t component(vertex_descriptor v) const { return m_components.component_of(v); }
 
   /// returns the vertices of component `c`, in the order of the mesh.
+  /// \pre `c < number_of_components()`
   const std::vector<vertex_descriptor>& component_vertices(std::size_t c) const
   {
+    CGAL_precondition(c < number_of_components());
     return m_components[c].vertices;
   }
 
   /// returns the surface area of component `c`.
-  FT area(std::size_t c) const { return m_bases[c].area * m_bases[c].unit * m_bases[c].unit; }
+  /// \pre `c < number_of_components()`
+  FT area(std::size_t c) const { return basis(c).area * basis(c).unit * basis(c).unit; }
 
   /// returns the number of eigenpairs of component `c`, without the constant one.
+  /// \pre `c < number_of_components()`
   std::size_t number_of_eigenpairs(std::size_t c) const
   {
-    return static_cast<std::size_t>(m_bases[c].eigenvalues.size());
+    return static_cast<std::size_t>(basis(c).eigenvalues.size());
   }
 
   /// returns the `k`-th smallest non-zero eigenvalue of component `c`, from `k == 1` on.
-  /// \pre `1 <= k && k <= number_of_eigenpairs(c)`
+  /// \pre `c < number_of_components() && 1 <= k && k <= number_of_eigenpairs(c)`
   FT eigenvalue(std::size_t c, std::size_t k) const
   {
     CGAL_precondition(1 <= k && k <= number_of_eigenpairs(c));
@@ -336,13 +341,13 @@ public:
   It decreases as `exp(-t)`, and is precise until it falls below the smallest number of type `FT`,
   near `t == 700`.
 
-  \throws Error if `t` is negative or not a finite number
+  \pre `t` is a finite number and not negative
 
   \sa `diffusion_distances()`
   */
   FT diffusion_distance(vertex_descriptor u, vertex_descriptor v, FT t) const
   {
-    internal::check_diffusion_time(t);
+    CGAL_precondition(internal::is_diffusion_time(t));
     return distance(u, v, [t](const Eigen::VectorXd& lambda) {
       return internal::diffusion_factors(lambda, t);
     });
@@ -375,7 +380,11 @@ public:
     Eigen::Matrix<Eigenfunction_number, Eigen::Dynamic, Eigen::Dynamic> eigenfunctions; // n x k
   };
 
-  const Basis& basis(std::size_t c) const { return m_bases[c]; }
+  const Basis& basis(std::size_t c) const
+  {
+    CGAL_precondition(c < number_of_components());
+    return m_bases[c];
+  }
 
   std::size_t position(vertex_descriptor v) const { return m_components.position_of(v); }
 
@@ -501,9 +510,8 @@ private:
     }
     if (size > 1)
       m_residual = (std::max)(m_residual, residuals.segment(1, size - 1).maxCoeff());
-    m_orthonormality_error =
-        (std::max)(m_orthonormality_error,
-                   internal::orthonormality_error(matrices.mass, pairs.vectors.leftCols(size)));
+    m_orthonormality_error = (std::max)(
+        m_orthonormality_error, internal::orthonormality_error(matrices.mass, pairs.vectors, size));
     m_null_space_residual =
         (std::max)(m_null_space_residual, internal::null_space_residual(matrices.stiffness));
 

@@ -54,6 +54,8 @@ class Spectra_eigensolver
 {
 public:
   /// factors *L + sigma M*, as `Block_Lanczos_eigensolver` does.
+  /// \throws Numerical_error if the factorization fails
+  /// \throws Interruption if the callback returns `false`
   Spectra_eigensolver(const Eigen::SparseMatrix<double>& stiffness,
                       const Eigen::VectorXd& mass,
                       double shift,
@@ -67,6 +69,8 @@ public:
   /// returns the `number` smallest eigenpairs, or all if there are fewer, as
   /// `Block_Lanczos_eigensolver` does.
   /// \pre `number > 0`
+  /// \throws Numerical_error if a linear system could not be solved
+  /// \throws Interruption if the callback returns `false`
   Eigenpairs smallest(Eigen::Index number)
   {
     CGAL_precondition(number > 0);

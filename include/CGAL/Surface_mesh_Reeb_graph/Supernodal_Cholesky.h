@@ -17,6 +17,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/huge_pages.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
@@ -200,12 +202,7 @@ public:
   }
 
   /// returns whether the last step has succeeded: `Eigen::Success`, or what is wrong.
-  Eigen::ComputationInfo info() const
-  {
-    eigen_assert((m_isInitialized || m_analyzed || m_info == Eigen::InvalidInput) &&
-                 "there is no matrix");
-    return m_info;
-  }
+  Eigen::ComputationInfo info() const { return m_info; }
 
   /// @}
 
@@ -225,7 +222,7 @@ public:
   /// \pre `info()` is `Eigen::Success` after a factorization.
   Scalar determinant() const
   {
-    eigen_assert(m_factored && "there is no factorization");
+    CGAL_precondition(m_factored);
     Scalar root(1);
     for (Index s = 0; s < m_structure.number_of_supernodes(); ++s) {
       const Index width = m_structure.width(s);
@@ -273,7 +270,7 @@ public:
                                     Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& x) const
   {
     static_assert(Columns > 0, "the number of right-hand sides is fixed");
-    eigen_assert(x.rows() == m_size);
+    CGAL_precondition(x.rows() == m_size);
     solve_columns<Columns>(x, 0, x);
   }
 
@@ -290,7 +287,7 @@ public:
                                         Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>& x) const
   {
     static_assert(Columns > 0, "the number of right-hand sides is fixed");
-    eigen_assert(x.rows() == m_size);
+    CGAL_precondition(x.rows() == m_size);
     if (!m_factored) {
       x.setZero();
       return;
@@ -308,7 +305,7 @@ public:
   void _solve_impl(const Eigen::MatrixBase<Rhs>& b, Eigen::MatrixBase<Dest>& x) const
   {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    eigen_assert(b.rows() == m_size);
+    CGAL_precondition(b.rows() == m_size);
     x.derived().resize(b.rows(), b.cols());
     // evaluates what is no matrix in memory
     const Eigen::Ref<const Matrix, 0, Eigen::OuterStride<>> rhs(b.derived());

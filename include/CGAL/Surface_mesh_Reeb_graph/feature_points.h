@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -129,7 +131,7 @@ that a large part of all pairs is about as long as the longest: then it is a lon
 
 \return the output iterator
 
-\throws Error if a time is negative or not a finite number; nothing has been written then
+\pre both times are finite numbers and not negative
 */
 template <class TriangleMesh,
           class Eigensolver,
@@ -145,8 +147,8 @@ OutputIterator feature_points(
   const double large_time = internal::choose_own_parameter(np, internal::tags::large_time, 20.);
   const bool takes_minima =
       internal::choose_own_parameter(np, internal::tags::minima_as_feature_points, false);
-  internal::check_diffusion_time(small_time);
-  internal::check_diffusion_time(large_time);
+  CGAL_precondition(internal::is_diffusion_time(small_time));
+  CGAL_precondition(internal::is_diffusion_time(large_time));
 
   // all of them before anything is written
   std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> points;

@@ -11,10 +11,10 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_MAPPING_FUNCTIONS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -23,14 +23,27 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// Of all components.
+template <class Eigenbasis>
+std::size_t largest_number_of_eigenpairs(const Eigenbasis& basis)
+{
+  std::size_t result = 0;
+  for (std::size_t c = 0; c < basis.number_of_components(); ++c)
+    result = (std::max)(result, basis.number_of_eigenpairs(c));
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgSurfaceMeshReebGraphMappingFunctions
@@ -61,7 +74,7 @@ its position vector with the normalized axis. It depends on the pose of the shap
 
 Takes O(n) time for *n* vertices.
 
-\throws Error if the axis has no finite direction; nothing has been written then
+\pre the axis has a finite length that is not zero
 */
 template <class TriangleMesh,
           class Vector_3,
@@ -77,8 +90,7 @@ void height_function(const TriangleMesh& tmesh,
   const Eigen::Vector3d a(
       CGAL::to_double(axis.x()), CGAL::to_double(axis.y()), CGAL::to_double(axis.z()));
   const double length = a.stableNorm();
-  if (!(length > 0) || !std::isfinite(length))
-    throw Input_error("the axis of the height function has no finite direction");
+  CGAL_precondition(length > 0 && std::isfinite(length));
   const Eigen::Vector3d direction = a / length;
   for (auto v : CGAL::make_range(vertices(tmesh))) {
     const auto& p = get(vertex_point_map, v);
@@ -106,7 +118,7 @@ writes the eigenfunction of the `k`-th smallest non-zero eigenvalue, of every co
 
 Takes O(n) time for *n* vertices.
 
-\throws Error if no component has `k` eigenpairs; nothing has been written then
+\pre `k` is at least 1, and some component has `k` eigenpairs
 */
 template <class TriangleMesh, class Eigensolver, class EigenfunctionNumber, class VertexScalarMap>
 void eigenfunction(
@@ -114,15 +126,10 @@ void eigenfunction(
     std::size_t k,
     VertexScalarMap values)
 {
-  auto has_eigenpair = [&](std::size_t c) { return 1 <= k && k <= basis.number_of_eigenpairs(c); };
-  bool is_somewhere = false;
-  for (std::size_t c = 0; c < basis.number_of_components(); ++c)
-    is_somewhere = is_somewhere || has_eigenpair(c);
-  if (!is_somewhere)
-    throw Input_error("there is no eigenfunction " + std::to_string(k));
+  CGAL_precondition(1 <= k && k <= internal::largest_number_of_eigenpairs(basis));
   for (std::size_t c = 0; c < basis.number_of_components(); ++c)
     for (auto v : basis.component_vertices(c))
-      put(values, v, has_eigenpair(c) ? basis.eigenfunction(k, v) : 0.);
+      put(values, v, k <= basis.number_of_eigenpairs(c) ? basis.eigenfunction(k, v) : 0.);
 }
 
 /*!

@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <boost/graph/graph_traits.hpp>
@@ -72,7 +74,7 @@ that the first eigenfunctions do not tell apart, it may come out as 0.
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs.
 
-\throws Error if `t` is negative or not a finite number; nothing has been written then
+\pre `t` is a finite number and not negative
 
 \sa `commute_time_distances()`
 */
@@ -83,7 +85,7 @@ void diffusion_distances(
     double t,
     VertexDistanceMap distances)
 {
-  internal::check_diffusion_time(t);
+  CGAL_precondition(internal::is_diffusion_time(t));
   const auto& b = basis.basis(basis.component(source));
   internal::write_distances(basis,
                             source,

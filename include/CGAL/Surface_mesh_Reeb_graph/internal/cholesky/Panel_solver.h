@@ -11,11 +11,9 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CHOLESKY_PANEL_SOLVER_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/Register_vector.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/x86_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/panel_kernels.h>
 
 #include <Eigen/Core>
-
-#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -30,7 +28,7 @@ class Panel_solver
   using Index = Eigen::Index;
   using Row = Register_vector<Scalar, Columns>;
 
-  static constexpr bool has_kernels = std::is_same_v<Scalar, double> && Columns == 8;
+  static constexpr bool has_kernels = Columns == kernel_columns;
 
 public:
   Panel_solver(const Scalar* panel, const Index width, const Index below)
@@ -80,14 +78,11 @@ private:
   void forward_columns(const Index j, Scalar* x, Scalar* y) const
   {
     Scalar* const x_j = x + j * Columns;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (has_kernels)
-      if (x86::has_kernels()) {
-        x86::substitute_forward<Number>(
-            column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
-        return;
-      }
-#endif
+    if constexpr (has_kernels) {
+      run_kernel<Substitute_forward<Scalar, Number>>(
+          column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
+      return;
+    }
     for (int k = 0; k < Number; ++k) {
       const Scalar* const l = column(j + k) + j;
       Row row = Row::load(x_j + k * Columns);
@@ -141,14 +136,11 @@ private:
   void backward_columns(const Index j, Scalar* x, const Scalar* y) const
   {
     Scalar* const x_j = x + j * Columns;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (has_kernels)
-      if (x86::has_kernels()) {
-        x86::substitute_backward<Number>(
-            column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
-        return;
-      }
-#endif
+    if constexpr (has_kernels) {
+      run_kernel<Substitute_backward<Scalar, Number>>(
+          column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
+      return;
+    }
     const Scalar* const l = column(j);
     subtract_transposed<Number>(l + m_width, m_below, y, x_j);
     subtract_transposed<Number>(l + j + Number, m_width - j - Number, x_j + Number * Columns, x_j);

@@ -10,12 +10,11 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CHOLESKY_RANK_UPDATE_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CHOLESKY_RANK_UPDATE_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/x86_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/panel_kernels.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -39,46 +38,26 @@ public:
                 Scalar* c,
                 const Index c_stride)
   {
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-    if constexpr (std::is_same_v<Scalar, double>)
-      if (x86::has_kernels()) {
-        for (Index k = 0; k < depth; k += largest_depth)
-          subtract_with_kernel(a + k * stride,
-                               stride,
-                               rows,
-                               columns,
-                               (std::min)(largest_depth, depth - k),
-                               c,
-                               c_stride);
-        return;
-      }
-#endif
-    using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-    using Stride = Eigen::OuterStride<>;
-    const Eigen::Map<const Matrix, 0, Stride> a_map(a, rows, depth, Stride(stride));
-    Eigen::Map<Matrix, 0, Stride> c_map(c, rows, columns, Stride(c_stride));
-    c_map.topRows(columns).template selfadjointView<Eigen::Lower>().rankUpdate(
-        a_map.topRows(columns), Scalar(-1));
-    c_map.bottomRows(rows - columns).noalias() -=
-        a_map.bottomRows(rows - columns) * a_map.topRows(columns).transpose();
+    for (Index k = 0; k < depth; k += largest_depth)
+      subtract_part(
+          a + k * stride, stride, rows, columns, (std::min)(largest_depth, depth - k), c, c_stride);
   }
 
 private:
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  static constexpr Index tile_rows = x86::tile_rows, tile_columns = x86::tile_columns;
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   // A part of A of so many rows and columns stays in the second cache, and `tile_columns` rows of B
   // in the first.
   static constexpr Index largest_depth = 192;
   static constexpr Index rows_in_cache = 8 * tile_rows;
 
-  void subtract_with_kernel(const double* a,
-                            const Index stride,
-                            const Index rows,
-                            const Index columns,
-                            const Index depth,
-                            double* c,
-                            const Index c_stride)
+  void subtract_part(const Scalar* a,
+                     const Index stride,
+                     const Index rows,
+                     const Index columns,
+                     const Index depth,
+                     Scalar* c,
+                     const Index c_stride)
   {
     pack<tile_columns>(a, stride, columns, depth, m_b);
     for (Index begin = 0; begin < rows; begin += rows_in_cache) {
@@ -102,16 +81,13 @@ private:
   // Copies rows in groups, which the last one is filled up to with zeros: those of a column side by
   // side.
   template <Index group>
-  static void pack(const double* a,
-                   const Index stride,
-                   const Index rows,
-                   const Index depth,
-                   Eigen::VectorXd& packed)
+  static void
+  pack(const Scalar* a, const Index stride, const Index rows, const Index depth, Vector& packed)
   {
     const Index size = (rows + group - 1) / group * group * depth;
     if (packed.size() < size)
       packed.resize(size);
-    double* to = packed.data();
+    Scalar* to = packed.data();
     for (Index i = 0; i < rows; i += group) {
       const Index number = (std::min)(group, rows - i);
       if (number == group) {
@@ -119,33 +95,32 @@ private:
           std::copy_n(a + i + k * stride, group, to);
       } else {
         for (Index k = 0; k < depth; ++k, to += group)
-          std::fill(std::copy_n(a + i + k * stride, number, to), to + group, 0.0);
+          std::fill(std::copy_n(a + i + k * stride, number, to), to + group, Scalar(0));
       }
     }
   }
 
-  static void subtract_tile(const double* a,
-                            const double* b,
+  static void subtract_tile(const Scalar* a,
+                            const Scalar* b,
                             const Index depth,
                             const Index rows,
                             const Index columns,
-                            double* c,
+                            Scalar* c,
                             const Index c_stride)
   {
     if (rows == tile_rows && columns == tile_columns) {
-      x86::subtract_tile(a, b, depth, c, c_stride);
+      run_kernel<Subtract_tile<Scalar>>(a, b, depth, c, c_stride);
       return;
     }
-    double tile[tile_rows * tile_columns];
+    Scalar tile[tile_rows * tile_columns];
     for (Index j = 0; j < columns; ++j)
       std::copy_n(c + j * c_stride, rows, tile + j * tile_rows);
-    x86::subtract_tile(a, b, depth, tile, tile_rows);
+    run_kernel<Subtract_tile<Scalar>>(a, b, depth, tile, tile_rows);
     for (Index j = 0; j < columns; ++j)
       std::copy_n(tile + j * tile_rows, rows, c + j * c_stride);
   }
 
-  Eigen::VectorXd m_a, m_b; // packed
-#endif
+  Vector m_a, m_b; // packed
 };
 
 } // namespace internal

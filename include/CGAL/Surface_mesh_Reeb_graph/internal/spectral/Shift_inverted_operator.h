@@ -12,12 +12,13 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/Eigenpairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Block_basis.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/block_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/symmetric_eigenpairs.h>
 
 #include <CGAL/Eigen_matrix.h>
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -55,7 +56,7 @@ struct Solves_in_place<SolverTraits,
 {
 };
 
-// ... or does so in an order of the rows that suits it, as `Supernodal_Cholesky`.
+// ... or does so in the order of the rows that its factor has, as `Supernodal_Cholesky`.
 template <class SolverTraits, class = void>
 struct Solves_permuted : std::false_type
 {
@@ -90,6 +91,8 @@ public:
     , m_right_hand_side(static_cast<int>(rows()))
     , m_solution(static_cast<int>(rows()))
   {
+    CGAL_precondition(stiffness.rows() == rows() && stiffness.cols() == rows());
+    CGAL_precondition(shift > 0);
     // CGAL's matrix never gives back the memory of the entries that it is made from one by one.
     if constexpr (std::is_same_v<Matrix, CGAL::Eigen_sparse_matrix<double>>) {
       Matrix(stiffness).swap(m_shifted);
@@ -109,8 +112,10 @@ public:
     double determinant;
     if (!m_solver.factor(m_shifted, determinant))
       throw Numerical_error("the factorization of the shifted stiffness matrix failed");
-    if constexpr (Solves_permuted<SolverTraits>::value)
-      m_sqrt_mass = (m_solver.solver().permutationP() * m_sqrt_mass).eval();
+    Eigen::VectorXd permuted(rows());
+    for (Eigen::Index i = 0; i < rows(); ++i)
+      permuted[own_row(i)] = m_sqrt_mass[i];
+    m_sqrt_mass.swap(permuted);
   }
 
   Eigen::Index rows() const { return m_sqrt_mass.size(); }
@@ -118,9 +123,10 @@ public:
   // `y = A x`
   void apply(const Row_block& x, Row_block& y)
   {
-    y = m_sqrt_mass.asDiagonal() * x;
+    CGAL_precondition(x.rows() == rows());
+    multiply_rows(x, m_sqrt_mass, y);
     solve(y);
-    y.array().colwise() *= m_sqrt_mass.array();
+    multiply_rows(y, m_sqrt_mass, y);
   }
   void apply(const double* x_in, double* y_out)
   {
@@ -135,25 +141,23 @@ public:
   // columns of `psi`, as many as these are. `psi = M^-1/2 y` would say nothing where M is zero. One
   // more application of A, `psi = (L + sigma M)^-1 M^1/2 y / nu`, gives it everywhere, and takes
   // out most of the error of y, which is in the directions that A makes small. `y` is changed.
-  template <class Columns>
-  void to_eigenfunctions(Row_block& y, const Eigen::VectorXd& nu, Columns psi)
+  void to_eigenfunctions(Row_block& y, const double* nu, Eigen::Ref<Eigen::MatrixXd> psi)
   {
-    y.array().colwise() *= m_sqrt_mass.array();
+    CGAL_precondition(psi.cols() <= block_width && psi.rows() == rows());
+    multiply_rows(y, m_sqrt_mass, y);
     solve(y);
-    for (Eigen::Index i = 0; i < rows(); ++i)
-      psi.row(i) = y.row(own_row(i)).head(psi.cols());
-    psi *= nu.cwiseInverse().asDiagonal();
+    for (Eigen::Index i = 0; i < rows(); ++i) {
+      const double* const row = y.data() + block_width * own_row(i);
+      for (Eigen::Index j = 0; j < psi.cols(); ++j)
+        psi(i, j) = row[j] / nu[j];
+    }
   }
 
   void to_eigenfunctions(Eigen::MatrixXd& vectors, const Eigen::VectorXd& nu)
   {
-    Row_block block(rows(), block_width);
-    for (Eigen::Index j = 0; j < vectors.cols(); j += block_width) {
-      const Eigen::Index width = (std::min)(Eigen::Index(block_width), vectors.cols() - j);
-      block.rightCols(block_width - width).setZero();
-      block.leftCols(width) = vectors.middleCols(j, width);
-      to_eigenfunctions(block, nu.segment(j, width), vectors.middleCols(j, width));
-    }
+    for_blocks(vectors, [&](Eigen::Index j, Eigen::Index width, Row_block& block) {
+      to_eigenfunctions(block, nu.data() + j, vectors.middleCols(j, width));
+    });
   }
   double to_eigenvalue(double nu) const { return 1 / nu - m_shift; }
 
@@ -162,41 +166,66 @@ public:
   // vectors for every pair, and multiplies one or fewer for every pair.
   bool is_small_for(Eigen::Index number) const
   {
-    return (std::max)(3 * number + 60, 4 * number + 24) >= (m_sqrt_mass.array() > 0).count();
+    return (std::max)(3 * number + 60, 4 * number + 24) >=
+           std::count_if(
+               m_sqrt_mass.data(), m_sqrt_mass.data() + rows(), [](double x) { return x > 0; });
   }
 
   // The `number` smallest eigenpairs, or all that there are, from the eigenpairs of A as a dense
   // matrix.
   Eigenpairs dense_eigenpairs(Eigen::Index number)
   {
-    Eigen::MatrixXd a = Eigen::MatrixXd::Identity(rows(), rows());
-    Row_block block(rows(), block_width), product;
-    for (Eigen::Index j = 0; j < a.cols(); j += block_width) {
-      const Eigen::Index width = (std::min)(Eigen::Index(block_width), a.cols() - j);
-      block.rightCols(block_width - width).setZero();
-      block.leftCols(width) = a.middleCols(j, width);
+    const Eigen::Index n = rows();
+    Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n);
+    Row_block product;
+    for_blocks(a, [&](Eigen::Index begin, Eigen::Index width, Row_block& block) {
       apply(block, product);
-      a.middleCols(j, width) = product.leftCols(width);
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((a + a.transpose()) / 2);
-    if (solver.info() != Eigen::Success)
+      for (Eigen::Index j = 0; j < width; ++j)
+        a.col(begin + j) = product.col(j);
+    });
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j; i < n; ++i)
+        a(i, j) = (a(i, j) + a(j, i)) / 2;
+    const Symmetric_eigenpairs all = symmetric_eigenpairs(std::move(a));
+    if (!all.have_converged)
       throw Numerical_error("the dense eigensolver did not converge");
     // Eigenvalues that small have few correct digits, and none if a vertex has no mass. They belong
     // to faces that are degenerate: those of a regular mesh of so few vertices differ by a
     // thousand.
     constexpr double negligible = 1e-7;
-    const double largest = solver.eigenvalues().maxCoeff();
-    const Eigen::Index available = (solver.eigenvalues().array() > negligible * largest).count();
+    Eigen::Index available = 0;
+    while (available < n && all.values[n - 1 - available] > negligible * all.values[n - 1])
+      ++available;
     number = (std::min)(number, available);
     Eigenpairs result;
-    const Eigen::VectorXd nu = solver.eigenvalues().tail(number).reverse();
-    result.values = nu.unaryExpr([this](double x) { return to_eigenvalue(x); });
-    result.vectors = solver.eigenvectors().rightCols(number).rowwise().reverse();
+    Eigen::VectorXd nu(number);
+    result.values.resize(number);
+    result.vectors.resize(n, number);
+    for (Eigen::Index i = 0; i < number; ++i) {
+      nu[i] = all.values[n - 1 - i];
+      result.values[i] = to_eigenvalue(nu[i]);
+      result.vectors.col(i) = all.vectors.col(n - 1 - i);
+    }
     to_eigenfunctions(result.vectors, nu);
     return result;
   }
 
 private:
+  // Calls `f` with the first one and the number of some columns that make a block, and with a block
+  // that begins with them.
+  template <class Function>
+  static void for_blocks(const Eigen::MatrixXd& columns, const Function& f)
+  {
+    Row_block block = Row_block::Zero(columns.rows(), block_width);
+    for (Eigen::Index begin = 0; begin < columns.cols(); begin += block_width) {
+      const Eigen::Index width = (std::min)(Eigen::Index(block_width), columns.cols() - begin);
+      for (Eigen::Index i = 0; i < columns.rows(); ++i)
+        for (Eigen::Index j = 0; j < width; ++j)
+          block(i, j) = columns(i, begin + j);
+      f(begin, width, block);
+    }
+  }
+
   // The row of a vertex in the order of the operator.
   Eigen::Index own_row(Eigen::Index i)
   {

@@ -11,50 +11,86 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_EIGENPAIR_RESIDUALS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Eigenpairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Block_coefficients.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/block_kernels.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/vector_kernels.h>
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
 // `||L psi - lambda M psi|| / (lambda ||M psi||)` of every pair; without meaning for `lambda == 0`.
-inline Eigen::VectorXd relative_residuals(const Eigen::SparseMatrix<double>& stiffness,
-                                          const Eigen::VectorXd& mass,
-                                          const Eigenpairs& pairs)
+CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline Eigen::VectorXd
+relative_residuals(const Eigen::SparseMatrix<double>& stiffness,
+                   const Eigen::VectorXd& mass,
+                   const Eigenpairs& pairs)
 {
+  CGAL_precondition(pairs.vectors.rows() == mass.size());
+  CGAL_precondition(pairs.vectors.cols() == pairs.values.size());
   Eigen::VectorXd result(pairs.values.size());
   Eigen::VectorXd l_psi(mass.size()), m_psi(mass.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
     l_psi.noalias() = stiffness * pairs.vectors.col(i);
     m_psi = mass.cwiseProduct(pairs.vectors.col(i));
-    result[i] = (l_psi - pairs.values[i] * m_psi).norm() / (pairs.values[i] * m_psi.norm());
+    l_psi -= pairs.values[i] * m_psi;
+    result[i] = l_psi.norm() / (pairs.values[i] * m_psi.norm());
   }
   return result;
 }
 
-// The largest entry of `|Psi^T M Psi - I|`.
-inline double
-orthonormality_error(const Eigen::VectorXd& mass, const Eigen::Ref<const Eigen::MatrixXd>& psi)
+// The largest entry of `|Psi^T M Psi - I|` for the first `number` eigenfunctions.
+CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline double
+orthonormality_error(const Eigen::VectorXd& mass, const Eigen::MatrixXd& psi, Eigen::Index number)
 {
-  // Rows of some hundred functions that stay in the cache while all of them meet all others.
-  constexpr Eigen::Index rows_in_cache = 512;
-  Eigen::MatrixXd gram = -Eigen::MatrixXd::Identity(psi.cols(), psi.cols()), rows;
-  for (Eigen::Index row = 0; row < psi.rows(); row += rows_in_cache) {
-    const Eigen::Index size = (std::min)(rows_in_cache, psi.rows() - row);
-    rows = mass.segment(row, size).cwiseSqrt().asDiagonal() * psi.middleRows(row, size);
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
+  CGAL_precondition(psi.rows() == mass.size() && number <= psi.cols());
+  const Eigen::Index number_of_blocks = (number + block_width - 1) / block_width;
+  std::vector<Block_coefficients> gram(
+      static_cast<std::size_t>(number_of_blocks * number_of_blocks));
+  const auto gram_block = [&](Eigen::Index i, Eigen::Index j) -> Block_coefficients& {
+    return gram[static_cast<std::size_t>(i * number_of_blocks + j)];
+  };
+  // rows of all functions that stay in the cache while all of them meet all others
+  constexpr Eigen::Index block_size = block_width * rows_in_cache;
+  std::vector<double> rows(static_cast<std::size_t>(number_of_blocks * block_size), 0.);
+  Eigen::VectorXd sqrt_mass(rows_in_cache);
+  for (Eigen::Index begin = 0; begin < psi.rows(); begin += rows_in_cache) {
+    const Eigen::Index size = (std::min)(rows_in_cache, psi.rows() - begin);
+    for (Eigen::Index r = 0; r < size; ++r)
+      sqrt_mass[r] = std::sqrt(mass[begin + r]);
+    for (Eigen::Index k = 0; k < number; ++k) {
+      double* const to = rows.data() + k / block_width * block_size + k % block_width;
+      for (Eigen::Index r = 0; r < size; ++r)
+        to[block_width * r] = sqrt_mass[r] * psi(begin + r, k);
+    }
+    for (Eigen::Index i = 0; i < number_of_blocks; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j)
+        add_transposed_product(
+            rows.data() + i * block_size, rows.data() + j * block_size, size, gram_block(i, j));
   }
-  return gram.size() == 0
-             ? 0
-             : gram.triangularView<Eigen::Lower>().toDenseMatrix().cwiseAbs().maxCoeff();
+
+  double result = 0;
+  for (Eigen::Index i = 0; i < number; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      const double product = gram_block(i / block_width, j / block_width)(
+          static_cast<int>(i % block_width), static_cast<int>(j % block_width));
+      result = (std::max)(result, std::abs(product - (i == j ? 1 : 0)));
+    }
+  return result;
 }
 
 // `||L 1||` relative to `||L||`, in Frobenius norm, and `||1||`.
-inline double null_space_residual(const Eigen::SparseMatrix<double>& stiffness)
+CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline double
+null_space_residual(const Eigen::SparseMatrix<double>& stiffness)
 {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(stiffness.cols());
   return (stiffness * ones).norm() / (stiffness.norm() * ones.norm());

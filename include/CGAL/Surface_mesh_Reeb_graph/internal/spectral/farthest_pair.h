@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -41,20 +43,21 @@ template <class Matrix>
 std::pair<std::size_t, std::size_t>
 farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
 {
+  using Number = typename Matrix::Scalar;
+  CGAL_precondition(eigenfunctions.rows() > 0 && all_factors.size() > 0);
+  CGAL_precondition(eigenfunctions.cols() == all_factors.size());
   // the square is lost in the rounding of the first one
   constexpr double negligible = 1e-9;
   const Eigen::Index dimension = number_of_factors_above(all_factors, negligible);
   const Eigen::VectorXd factors = all_factors.head(dimension);
-  const auto columns = eigenfunctions.leftCols(dimension);
-  const auto row = [&](Eigen::Index i) -> Eigen::RowVectorXd {
-    return columns.row(i).template cast<double>();
-  };
+  const Columns<Number> columns(eigenfunctions.leftCols(dimension));
 
   Eigen::Index p = 0, q = 0;
   double longest = -1; // squared
   for (;;) {
     Eigen::Index next;
-    const double squared_distance = squared_distances(columns, factors, row(q)).maxCoeff(&next);
+    const double squared_distance =
+        squared_distances<Number>(columns, factors, row_of<Number>(columns, q)).maxCoeff(&next);
     if (squared_distance <= longest)
       break;
     longest = squared_distance;
@@ -63,7 +66,9 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
   }
 
   const Eigen::VectorXd radius =
-      squared_distances(columns, factors, (row(p) + row(q)) / 2).cwiseSqrt();
+      squared_distances<Number>(
+          columns, factors, (row_of<Number>(columns, p) + row_of<Number>(columns, q)) / 2)
+          .cwiseSqrt();
   const double largest_radius = radius.maxCoeff();
   std::vector<Eigen::Index> candidates;
   for (Eigen::Index i = 0; i < radius.size(); ++i)
@@ -92,9 +97,10 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
     if (end <= i + 1)
       break; // nor are there any for the points that follow
     budget -= end - (i + 1);
+    const Eigen::VectorXd point = row_of<double>(points, i);
     for (Eigen::Index begin = i + 1; begin < end; begin += block_size) {
       const Eigen::Index size = (std::min)(block_size, end - begin);
-      squared_distances(points, factors, points.row(i), begin, block.head(size));
+      write_squared_distances<double>(points, factors, point, begin, block.head(size));
       Eigen::Index j;
       const double squared_distance = block.head(size).maxCoeff(&j);
       if (squared_distance > longest) {

@@ -10,9 +10,9 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/x86_distance_kernels.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
+
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
@@ -29,10 +29,9 @@ namespace internal {
 // A spectral distance is the Euclidean distance of the rows of a matrix: of the eigenfunctions, the
 // columns, each multiplied with a factor that follows from its eigenvalue.
 
-inline void check_diffusion_time(double time)
+inline bool is_diffusion_time(double time)
 {
-  if (!(time >= 0) || !std::isfinite(time))
-    throw Input_error("a diffusion time is negative or not a finite number");
+  return time >= 0 && std::isfinite(time);
 }
 
 // Of increasing eigenvalues that are not zero; there may be none.
@@ -74,63 +73,60 @@ inline Eigen::Index number_of_factors_above(const Eigen::VectorXd& factors, doub
 
 // The functions below read the matrix once, in blocks of rows that stay in the cache, at about the
 // speed of the memory. The numbers of the matrix may be `float` or `double`; all is computed in
-// `double`. Writes the squared distances of the rows from `begin` on to a point, one per entry of
-// `result`. The point consists of numbers of the matrix, not yet multiplied with the factors.
-template <class Matrix>
-void squared_distances(const Matrix& eigenfunctions,
-                       const Eigen::VectorXd& factors,
-                       const Eigen::RowVectorXd& point,
-                       Eigen::Index begin,
-                       Eigen::Ref<Eigen::ArrayXd> result)
+// `double`.
+
+// Some columns of a matrix, all of them or the first ones.
+template <class Number>
+using Columns = Eigen::Ref<const Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>>;
+
+template <class Number>
+Eigen::VectorXd row_of(const Columns<Number>& columns, Eigen::Index i)
 {
+  Eigen::VectorXd result(columns.cols());
+  for (Eigen::Index k = 0; k < columns.cols(); ++k)
+    result[k] = columns(i, k);
+  return result;
+}
+
+// Writes the squared distances of the rows from `begin` on to a point, one per entry of `result`.
+// The point consists of numbers of the matrix, not yet multiplied with the factors.
+template <class Number>
+void write_squared_distances(const Columns<Number>& columns,
+                             const Eigen::VectorXd& factors,
+                             const Eigen::VectorXd& point,
+                             Eigen::Index begin,
+                             Eigen::Ref<Eigen::ArrayXd> result)
+{
+  CGAL_precondition(columns.cols() == factors.size() && point.size() == factors.size());
+  CGAL_precondition(0 <= begin && begin + result.size() <= columns.rows());
   const auto squares = [&](Eigen::Index i) {
     return (factors[i] *
-            (eigenfunctions.col(i).segment(begin, result.size()).array().template cast<double>() -
+            (columns.col(i).segment(begin, result.size()).array().template cast<double>() -
              point[i]))
         .square();
   };
   // Some columns at once, so that the sums are not fetched and stored for every one.
   result.setZero();
   Eigen::Index i = 0;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  if (x86::has_avx2()) {
-    using Columns = avx2::Columns<typename Matrix::Scalar>;
-    for (; i < factors.size(); i += Columns::number) {
-      Columns columns;
-      for (Eigen::Index k = 0; k < Columns::number; ++k) {
-        const Eigen::Index column = (std::min)(i + k, factors.size() - 1);
-        columns.begin[k] = &eigenfunctions.coeffRef(begin, column);
-        columns.factors[k] = i + k < factors.size() ? factors[column] : 0.;
-        columns.point[k] = point[column];
-      }
-      const Eigen::Index first_left_out = avx2::add_squares(columns, result.size(), result.data());
-      for (Eigen::Index row = first_left_out; row < result.size(); ++row)
-        for (Eigen::Index k = 0; k < Columns::number; ++k) {
-          const double difference =
-              columns.factors[k] * (double(columns.begin[k][row]) - columns.point[k]);
-          result[row] += difference * difference;
-        }
-    }
-  }
-#endif
   for (; i + 4 <= factors.size(); i += 4)
     result += (squares(i) + squares(i + 1)) + (squares(i + 2) + squares(i + 3));
   for (; i < factors.size(); ++i)
     result += squares(i);
 }
 
-template <class Matrix>
-Eigen::VectorXd squared_distances(const Matrix& eigenfunctions,
+template <class Number>
+Eigen::VectorXd squared_distances(const Columns<Number>& columns,
                                   const Eigen::VectorXd& factors,
-                                  const Eigen::RowVectorXd& point)
+                                  const Eigen::VectorXd& point)
 {
   // The sums stay in the nearest cache, and the parts of the columns are so long that they are
   // fetched in advance.
   constexpr Eigen::Index rows_per_block = 4096;
-  Eigen::VectorXd result(eigenfunctions.rows());
+  Eigen::VectorXd result(columns.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
     const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
-    squared_distances(eigenfunctions, factors, point, begin, result.segment(begin, size).array());
+    write_squared_distances<Number>(
+        columns, factors, point, begin, result.segment(begin, size).array());
   }
   return result;
 }
@@ -147,14 +143,18 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
                                           const Eigen::VectorXd& factors,
                                           const std::vector<std::size_t>& sources)
 {
-  const auto row = [&](std::size_t source) -> Eigen::RowVectorXd {
-    return eigenfunctions.row(static_cast<Eigen::Index>(source)).template cast<double>();
-  };
+  using Number = typename Matrix::Scalar;
+  CGAL_precondition(eigenfunctions.cols() == factors.size());
   if (sources.empty())
     return Eigen::VectorXd::Zero(eigenfunctions.rows());
-  const Eigen::RowVectorXd origin = row(sources.front());
+  const Columns<Number> columns(eigenfunctions);
+  const auto row = [&](std::size_t source) {
+    CGAL_precondition(static_cast<Eigen::Index>(source) < columns.rows());
+    return row_of<Number>(columns, static_cast<Eigen::Index>(source));
+  };
+  const Eigen::VectorXd origin = row(sources.front());
   if (sources.size() == 1)
-    return squared_distances(eigenfunctions, factors, origin);
+    return squared_distances<Number>(columns, factors, origin);
 
   // In groups of so many sources that all sums of a group stay in registers. Repeating the last
   // source fills the last group.
@@ -167,8 +167,7 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     others[g].resize(static_cast<std::size_t>(factors.size()));
     for (std::size_t j = 0; j < group_size; ++j) {
       const std::size_t other = (std::min)(1 + g * group_size + j, sources.size() - 1);
-      const Eigen::VectorXd moved =
-          factors.cwiseProduct((row(sources[other]) - origin).transpose());
+      const Eigen::VectorXd moved = factors.cwiseProduct(row(sources[other]) - origin);
       squared_norms[g][j] = moved.squaredNorm();
       for (Eigen::Index i = 0; i < factors.size(); ++i)
         others[g][static_cast<std::size_t>(i)][j] = -2 * moved[i];
@@ -178,10 +177,7 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   // All columns of a block stay in the cache; by the odd number of cache lines they share no place
   // in it.
   constexpr Eigen::Index rows_per_block = 120;
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-  static_assert(rows_per_block == avx2::Sources::rows, "the kernels take the same blocks");
-#endif
-  Eigen::VectorXd result(eigenfunctions.rows());
+  Eigen::VectorXd result(columns.rows());
   Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(rows_per_block, factors.size());
   Eigen::ArrayXd excess(rows_per_block); // over the squared distance to the first source
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
@@ -191,28 +187,18 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     for (Eigen::Index i = 0; i < factors.size(); ++i) {
       // the part that follows in the column: the parts are too short to be fetched in advance
       // otherwise
-      constexpr Eigen::Index numbers_per_line =
-          64 / static_cast<Eigen::Index>(sizeof(typename Matrix::Scalar));
+      constexpr Eigen::Index numbers_per_line = 64 / static_cast<Eigen::Index>(sizeof(Number));
       const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());
       for (Eigen::Index r = begin + rows_per_block; r < end; r += numbers_per_line)
-        prefetch(&eigenfunctions.coeffRef(r, i));
+        prefetch(&columns.coeffRef(r, i));
       auto column = moved.col(i).head(size);
-      column =
-          factors[i] *
-          (eigenfunctions.col(i).segment(begin, size).array().template cast<double>() - origin[i]);
+      column = factors[i] *
+               (columns.col(i).segment(begin, size).array().template cast<double>() - origin[i]);
       block += column.square();
     }
     excess.setZero();
     using Rows = Eigen::Array<double, 4, 1>;
     for (std::size_t g = 0; g < number_of_groups; ++g) {
-#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_HAS_X86_KERNELS
-      if (x86::has_avx2()) {
-        avx2::take_largest_sums({factors.size(), others[g].front().data(), squared_norms[g].data()},
-                                moved.data(),
-                                excess.data());
-        continue;
-      }
-#endif
       for (Eigen::Index r = 0; r < size; r += Rows::SizeAtCompileTime) {
         Rows sum_0 = Rows::Constant(squared_norms[g][0]);
         Rows sum_1 = Rows::Constant(squared_norms[g][1]);
