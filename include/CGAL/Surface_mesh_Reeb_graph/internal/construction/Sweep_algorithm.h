@@ -70,7 +70,7 @@ public:
     , m_vertex_index_map(vertex_index_map)
     , m_edge_numbers(tmesh, halfedge_index_map)
     , m_request(request)
-    , m_element(m_edge_numbers.bound(), Sequences::none)
+    , m_element(m_edge_numbers.bound(), Rising_level_set::no_element)
   {
     if (request.has_vertex_arcs)
       m_result.arc_of_vertex.assign(index_bound, no_arc);
@@ -134,7 +134,7 @@ public:
   // if the sweep began with some of them.
   bool is_known(halfedge_descriptor h) const
   {
-    return m_element[m_edge_numbers(h)] != Sequences::none;
+    return m_element[m_edge_numbers(h)] != Rising_level_set::no_element;
   }
 
   // The arc of the component that crosses a known edge at the level that has been reached.
@@ -150,7 +150,7 @@ private:
   std::uint32_t element_of_lower_edge(halfedge_descriptor h)
   {
     const std::uint32_t result = element(h);
-    if (result == Sequences::none)
+    if (result == Rising_level_set::no_element)
       throw_several_fans();
     return result;
   }

@@ -24,9 +24,9 @@ namespace internal {
 // trees", 1985): the trees are cut into paths, every path is a sequence, and the parent of its root
 // is the item that the path hangs on.
 template <class Summary>
-class Link_cut_forest : private Splay_sequences<Summary>
+class Link_cut_forest : private Splay_sequences<Sum_of_items<Summary>>
 {
-  using Base = Splay_sequences<Summary>;
+  using Base = Splay_sequences<Sum_of_items<Summary>>;
   using Base::m_items;
   using Base::splay;
   using Base::update;
@@ -99,7 +99,7 @@ private:
   {
     expose(x);
     Base::reverse(x);
-    Base::push_down_reversal(x);
+    Base::push_down(x);
   }
 
   void make_path(std::uint32_t x, std::uint32_t y)
