@@ -23,7 +23,7 @@
 
 using namespace Reeb_graph_test;
 using SMRG::internal::Arc_ends;
-using SMRG::internal::Branch_cancellation;
+using SMRG::internal::Folded_graph;
 
 namespace {
 
@@ -31,17 +31,25 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 using Node_pair = std::pair<std::uint32_t, std::uint32_t>;
 
+void cancel_branches(Folded_graph& folded,
+                     const std::vector<double>& values,
+                     const double threshold)
+{
+  SMRG::internal::cancel_branches(folded, values, [&](const SMRG::internal::Extremum_pair& pair) {
+    return pair.persistence < threshold;
+  });
+}
+
 // The arcs that are left of a graph, as pairs (lower, upper).
 std::multiset<Node_pair>
 cancelled(const std::vector<double>& values, const std::vector<Arc_ends>& arcs, double threshold)
 {
-  Branch_cancellation cancellation(values, arcs);
-  cancellation.run(
-      [&](const SMRG::internal::Extremum_pair& pair) { return pair.persistence < threshold; });
+  Folded_graph folded(values.size(), arcs);
+  cancel_branches(folded, values, threshold);
   std::multiset<Node_pair> result;
-  for (std::uint32_t a = 0; a < cancellation.arcs().size(); ++a)
-    if (cancellation.is_arc(a))
-      result.emplace(cancellation.arcs()[a].lower, cancellation.arcs()[a].upper);
+  for (std::uint32_t a = 0; a < folded.arcs().size(); ++a)
+    if (folded.is_arc(a))
+      result.emplace(folded.arcs()[a].lower, folded.arcs()[a].upper);
   return result;
 }
 
@@ -87,10 +95,9 @@ struct Left
   }
 };
 
-Left left_of(const SMRG::internal::Folded_graph& folded)
+Left left_of(const Folded_graph& folded)
 {
-  const SMRG::internal::Compacted_graph remaining =
-      SMRG::internal::compacted_graph(folded, folded.number_of_nodes());
+  const SMRG::internal::Compacted_graph remaining(folded);
   Left result;
   result.nodes.assign(remaining.nodes.begin(), remaining.nodes.end());
   for (const Arc_ends& arc : remaining.arcs)
@@ -123,9 +130,8 @@ std::size_t number_of_loops(const std::vector<Extended_pair>& pairs)
 }
 
 // Closes the loops of persistence below the threshold.
-SMRG::internal::Loop_simplification close_loops(SMRG::internal::Folded_graph& folded,
-                                                const std::vector<double>& values,
-                                                const double threshold)
+SMRG::internal::Loop_simplification
+close_loops(Folded_graph& folded, const std::vector<double>& values, const double threshold)
 {
   return SMRG::internal::Loop_simplification(folded, [&](const SMRG::internal::Loop_pair& loop) {
     return values[loop.merge] - values[loop.split] < threshold;
@@ -134,7 +140,7 @@ SMRG::internal::Loop_simplification close_loops(SMRG::internal::Folded_graph& fo
 
 // The arcs that points of a graph have gone to. A point is an arc and the node just below the
 // point.
-std::vector<std::uint32_t> images_of(SMRG::internal::Folded_graph& folded,
+std::vector<std::uint32_t> images_of(Folded_graph& folded,
                                      const SMRG::internal::Loop_simplification& closed_loops,
                                      const std::vector<Rank_pair>& points)
 {
@@ -166,7 +172,7 @@ std::vector<Rank_pair> closed(const std::vector<double>& values,
                               const std::vector<Rank_pair>& arcs,
                               const double threshold)
 {
-  SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(make_graph(values, arcs)));
+  Folded_graph folded(values.size(), arc_ends_of(make_graph(values, arcs)));
   close_loops(folded, values, threshold);
   return left_of(folded).arcs_before();
 }
@@ -233,7 +239,7 @@ std::vector<Rank_pair> closed_node_by_node(const std::vector<double>& values,
     arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(cycle[1]));
   }
 
-  SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(make_graph(values, arcs)));
+  Folded_graph folded(values.size(), arc_ends_of(make_graph(values, arcs)));
   for (std::uint32_t node = 0; node < values.size(); ++node)
     folded.pass_through_if_regular(node);
   return left_of(folded).arcs_before();
@@ -310,19 +316,19 @@ BOOST_AUTO_TEST_CASE(vertices_of_a_cancelled_branch_go_to_the_arc_it_hung_on)
 {
   const std::vector<double> values = {0, 1, 2, 3};
   const std::vector<Arc_ends> arcs = {{0, 2}, {1, 2}, {2, 3}};
-  Branch_cancellation cancellation(values, arcs);
-  cancellation.run([](const SMRG::internal::Extremum_pair&) { return true; });
+  Folded_graph folded(values.size(), arcs);
+  cancel_branches(folded, values, infinity);
   const auto is_below = [](std::uint32_t) { return false; };
-  const std::uint32_t arc = cancellation.arc_after(0, is_below);
-  BOOST_TEST(cancellation.is_arc(arc));
-  BOOST_TEST(cancellation.arc_after(1, is_below) == arc);
-  BOOST_TEST(cancellation.arc_after(2, is_below) == arc);
+  const std::uint32_t arc = folded.arc_after(0, is_below);
+  BOOST_TEST(folded.is_arc(arc));
+  BOOST_TEST(folded.arc_after(1, is_below) == arc);
+  BOOST_TEST(folded.arc_after(2, is_below) == arc);
 
   // the arc from 0 to 3 is cut at 2: below and above there its vertices are told apart
   const std::vector<Arc_ends> hanging = {{0, 3}, {1, 2}, {2, 3}, {2, 4}, {3, 5}};
   const std::vector<double> hanging_values = {0, 1, 2, 3, 8, 9};
-  Branch_cancellation cut(hanging_values, hanging);
-  cut.run([](const SMRG::internal::Extremum_pair& pair) { return pair.persistence < 2.5; });
+  Folded_graph cut(hanging_values.size(), hanging);
+  cancel_branches(cut, hanging_values, 2.5);
   const std::uint32_t lower = cut.arc_after(0, [](std::uint32_t node) { return 1 < node; });
   const std::uint32_t upper = cut.arc_after(0, [](std::uint32_t node) { return 2 < node; });
   BOOST_TEST(cut.arcs()[lower].lower == 0u);
@@ -500,7 +506,7 @@ BOOST_AUTO_TEST_CASE(closing_loops_changes_as_little_as_promised)
       [&](const Graph& graph, const std::vector<double>& values, const double threshold) {
         const std::vector<Extended_pair> before = oracle_pairs(graph);
 
-        SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+        Folded_graph folded(values.size(), arc_ends_of(graph));
         const bool have_other_pairs_changed =
             close_loops(folded, values, threshold).have_other_pairs_changed();
         const Left left = left_of(folded);
@@ -625,13 +631,11 @@ BOOST_AUTO_TEST_CASE(points_of_arcs_keep_their_heights)
       std::mt19937 rng(seed);
       const Graph graph = random_graph(rng, seed % 2 == 1);
       const std::vector<double> values = values_of(graph);
-      Branch_cancellation folded(values, arc_ends_of(graph));
+      Folded_graph folded(values.size(), arc_ends_of(graph));
       const bool has_only_loops = seed % 3 == 0;
       const double threshold = random_unit(rng) * (values.back() + 1);
       if (!has_only_loops)
-        folded.run([&](const SMRG::internal::Extremum_pair& pair) {
-          return pair.persistence < threshold;
-        });
+        cancel_branches(folded, values, threshold);
       const SMRG::internal::Loop_simplification closed_loops =
           close_loops(folded, values, seed % 3 == 1 ? 0 : random_unit(rng) * (values.back() + 1));
 
@@ -671,7 +675,7 @@ BOOST_AUTO_TEST_CASE(the_fold_of_loops_is_a_quotient)
   const auto check = [&](const Graph& graph,
                          const std::vector<double>& values,
                          const double threshold) {
-    SMRG::internal::Folded_graph folded(values.size(), arc_ends_of(graph));
+    Folded_graph folded(values.size(), arc_ends_of(graph));
     const SMRG::internal::Loop_simplification closed_loops = close_loops(folded, values, threshold);
     const std::vector<Rank_pair> arcs = arcs_of(graph), points = points_of(arcs);
     const std::vector<std::uint32_t> images = images_of(folded, closed_loops, points);
@@ -1045,7 +1049,7 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
     std::vector<double> values(number_of_nodes);
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = static_cast<double>(i);
-    SMRG::internal::Folded_graph folded(number_of_nodes, arc_ends_of(make_graph(values, arcs)));
+    Folded_graph folded(number_of_nodes, arc_ends_of(make_graph(values, arcs)));
     const SMRG::internal::Loop_simplification closed_loops = close_loops(folded, values, infinity);
     const Left left = left_of(folded);
     BOOST_TEST(left.arcs.size() + 1 == left.nodes.size());

@@ -214,8 +214,7 @@ void simplify_Reeb_graph(const TriangleMesh& tmesh,
   const std::vector<double> values = internal::values_of_nodes(nodes);
   internal::Simplification simplification(values, ends, parameters);
   simplification.run();
-  const internal::Compacted_graph remaining =
-      internal::compacted_graph(simplification.folded_graph(), nodes.size());
+  const internal::Compacted_graph remaining(simplification.folded_graph());
 
   std::vector<Node> remaining_nodes;
   remaining_nodes.reserve(remaining.nodes.size());

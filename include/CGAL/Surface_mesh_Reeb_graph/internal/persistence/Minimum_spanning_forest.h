@@ -13,10 +13,10 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Link_cut_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -27,14 +27,9 @@ namespace internal {
 inline std::vector<std::uint32_t>
 sorted_downwards(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
 {
-  std::vector<std::size_t> position(number_of_nodes + 1, 0); // counting sort
-  for (const Arc_ends& ends : arcs)
-    ++position[number_of_nodes - ends.lower];
-  std::partial_sum(position.begin(), position.end(), position.begin());
-  std::vector<std::uint32_t> result(arcs.size());
-  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    result[position[number_of_nodes - 1 - arcs[arc].lower]++] = arc;
-  return result;
+  return items_sorted_by_counting(arcs.size(), number_of_nodes, [&](std::size_t arc) {
+    return number_of_nodes - 1 - arcs[arc].lower;
+  });
 }
 
 // What is known of a set of arcs: the one with the highest upper node.

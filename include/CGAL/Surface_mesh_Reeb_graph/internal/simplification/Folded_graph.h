@@ -26,8 +26,7 @@ namespace internal {
 
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
 // arcs go into other arcs. It remembers what became of every arc, for the vertices of the mesh to
-// follow. All changes of single arcs take constant time, also at
-// nodes with many arcs.
+// follow. All changes of single arcs take constant time, also at nodes with many arcs.
 class Folded_graph
 {
 public:
@@ -84,12 +83,12 @@ public:
           fate = next; // halves the path for later queries
         point.arc = fate.arc;
       } else {
-        const Zipped_arcs& branches = m_zipped_branches[fate.arc];
+        const Zipped_arcs& zipped = m_zipped_arcs[fate.arc];
         if (fate.node == no_node)
           height.move_into(m_arcs[point.arc]);
         else
-          height.move_next_to(fate.node, branches.side());
-        point.arc = branches.arc_at(fate.position, height);
+          height.move_next_to(fate.node, zipped.side());
+        point.arc = zipped.arc_at(fate.position, height);
       }
     }
   }
@@ -139,7 +138,7 @@ public:
   // For arcs that are replaced, `first` holds the position of the new arc where their points begin
   // their way; `next_to` holds a node if the points go next to it instead of to those of the same
   // height.
-  void replace(Zipped_arcs&& branches,
+  void replace(Zipped_arcs&& zipped,
                const std::vector<std::uint32_t>& first,
                const std::vector<std::uint32_t>& next_to)
   {
@@ -149,14 +148,14 @@ public:
       detach(arc);
       Fate& fate = m_fates[arc];
       fate.kind = IS_ZIPPED;
-      fate.arc = static_cast<std::uint32_t>(m_zipped_branches.size());
+      fate.arc = static_cast<std::uint32_t>(m_zipped_arcs.size());
       fate.position = first[arc];
       fate.node = next_to[arc];
     }
-    branches.finish([&](std::uint32_t begin, std::uint32_t end) {
-      return add_arc(branches.side() == BELOW ? Arc_ends{end, begin} : Arc_ends{begin, end});
+    zipped.finish([&](std::uint32_t begin, std::uint32_t end) {
+      return add_arc(zipped.side() == BELOW ? Arc_ends{end, begin} : Arc_ends{begin, end});
     });
-    m_zipped_branches.push_back(std::move(branches));
+    m_zipped_arcs.push_back(std::move(zipped));
   }
 
   // Removes an arc that is glued along paths of several arcs. Others know which, by a number.
@@ -200,9 +199,9 @@ private:
   struct Fate
   {
     Fate_kind kind = STAYS;
-    // the one it went into; or the number that others know; or the number of the zipped branches
+    // the one it went into; or the number that others know; or the number of the zipped arcs
     std::uint32_t arc = no_arc;
-    std::uint32_t position = no_arc; // in the zipped branches
+    std::uint32_t position = no_arc; // in the zipped arcs
     std::uint32_t node = no_node;    // that the points of a zipped arc go next to, if there is one
   };
 
@@ -245,7 +244,7 @@ private:
   std::vector<std::array<Links, 2>> m_links; // by arc and side, in the list of the arc's other end
   std::vector<std::array<Arcs_of_side, 2>> m_arcs_of_node;
   std::vector<bool> m_is_removed;
-  std::vector<Zipped_arcs> m_zipped_branches;
+  std::vector<Zipped_arcs> m_zipped_arcs;
 };
 
 } // namespace internal

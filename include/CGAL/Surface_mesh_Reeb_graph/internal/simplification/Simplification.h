@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
@@ -51,7 +50,7 @@ public:
   Simplification(const std::vector<double>& values,
                  const std::vector<Arc_ends>& ends,
                  const Simplification_parameters& parameters)
-    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values.size(), ends)
   {}
 
   const Folded_graph& folded_graph() const { return m_folded; }
@@ -61,7 +60,7 @@ public:
     cancel_branches();
     if (m_parameters.loop_threshold > 0) {
       close_loops();
-      if (m_closed_loops.have_other_pairs_changed())
+      if (m_loops.have_other_pairs_changed())
         cancel_branches();
     }
   }
@@ -71,7 +70,7 @@ public:
   template <class IsBelow>
   void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
   {
-    internal::follow(m_folded, m_closed_loops, points, is_below);
+    internal::follow(m_folded, m_loops, points, is_below);
   }
 
 private:
@@ -84,7 +83,7 @@ private:
   void close_loops()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
-    m_closed_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
+    m_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
       return persistence_between(m_values[loop.split], m_values[loop.merge]) <
              thresholds[loop.merge];
     });
@@ -93,8 +92,9 @@ private:
   void cancel_branches()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
-    m_folded.run(
-        [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
+    internal::cancel_branches(m_folded, m_values, [&](const Extremum_pair& pair) {
+      return pair.persistence < thresholds[pair.extremum];
+    });
     const std::size_t number_of_leaves = m_parameters.number_of_leaves;
     if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
       return;
@@ -106,11 +106,11 @@ private:
     if (number <= number_of_leaves)
       return;
 
-    std::vector<Extremum_pair> pairs = m_folded.pairs();
+    std::vector<Extremum_pair> pairs = extremum_pairs(m_folded, m_values);
     if (!m_parameters.is_absolute)
       sort_by_relative_persistence(pairs);
     pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
-    m_folded.cancel(pairs);
+    cancel_pairs(m_folded, m_values, pairs);
   }
 
   // Inside a component the order stays as it is.
@@ -132,8 +132,8 @@ private:
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_ends;
   Simplification_parameters m_parameters;
-  Branch_cancellation m_folded;
-  Loop_simplification m_closed_loops;
+  Folded_graph m_folded;
+  Loop_simplification m_loops;
 };
 
 } // namespace internal
