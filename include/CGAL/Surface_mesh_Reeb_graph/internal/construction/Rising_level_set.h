@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Splay_sequences.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +68,7 @@ public:
   // elements follow.
   std::uint32_t add_component(std::size_t size, std::uint32_t arc)
   {
+    CGAL_precondition(size > 0);
     const std::uint32_t first = m_sequences.number_of_items();
     set_arc({m_sequences.add_balanced(static_cast<std::uint32_t>(size)), 0, true}, arc);
     return first;

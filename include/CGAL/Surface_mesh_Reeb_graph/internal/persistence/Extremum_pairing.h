@@ -11,9 +11,11 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PERSISTENCE_EXTREMUM_PAIRING_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -49,6 +51,7 @@ public:
                    const IsArc& is_arc)
     : m_values(values), m_arcs(arcs)
   {
+    CGAL_precondition(std::is_sorted(values.begin(), values.end()));
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
       if (is_arc(arc))
         m_arc_numbers.push_back(arc);
@@ -118,9 +121,8 @@ private:
 
   void add_pair(Side side, std::uint32_t extremum, std::uint32_t saddle, std::uint32_t arc)
   {
-    const double persistence = side == BELOW
-                                   ? persistence_between(m_values[extremum], m_values[saddle])
-                                   : persistence_between(m_values[saddle], m_values[extremum]);
+    const double persistence = side == BELOW ? difference(m_values[extremum], m_values[saddle])
+                                             : difference(m_values[saddle], m_values[extremum]);
     m_pairs.push_back({extremum, saddle, arc, no_arc, side, persistence});
   }
 

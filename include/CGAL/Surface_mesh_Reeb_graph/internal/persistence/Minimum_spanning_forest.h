@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Link_cut_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -87,6 +89,9 @@ public:
   Cycle add(std::uint32_t arc)
   {
     const Arc_ends& ends = m_arcs[arc];
+    CGAL_assertion(ends.lower < ends.upper && ends.upper < m_number_of_nodes);
+    CGAL_assertion(ends.lower <= m_lowest_node);
+    m_lowest_node = ends.lower;
     const std::uint32_t lower_component = m_components.root(ends.lower),
                         upper_component = m_components.root(ends.upper);
     if (lower_component != upper_component) {
@@ -97,6 +102,7 @@ public:
     }
     const Path path = m_forest.path(ends.lower, ends.upper);
     const Highest_arc highest = m_forest.sum(path);
+    CGAL_assertion(highest.arc != no_arc);
     if (highest.upper <= ends.upper)
       return {arc, reversed(path)};
     auto [first, last] = m_forest.cut_out(item_of(highest.arc));
@@ -121,6 +127,7 @@ public:
         m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
           return holds(lower_end(item));
         });
+    CGAL_assertion(last.item != Link_cut_forest<Summary>::no_item);
     return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }
 
@@ -202,6 +209,7 @@ private:
   const std::vector<Arc_ends>& m_arcs;
   Link_cut_forest<Summary> m_forest;
   Disjoint_sets m_components;
+  std::uint32_t m_lowest_node = no_node; // of the arcs so far
 };
 
 } // namespace internal

@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Zipped_arcs.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -129,6 +131,7 @@ public:
   // are set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
+    CGAL_assertion(is_arc(arc) && is_arc(other) && arc != other);
     detach(arc);
     m_fates[arc].kind = GOES_INTO;
     m_fates[arc].arc = other;
@@ -145,6 +148,7 @@ public:
     for (std::uint32_t arc = 0; arc < first.size(); ++arc) {
       if (first[arc] == no_arc)
         continue;
+      CGAL_assertion(is_arc(arc));
       detach(arc);
       Fate& fate = m_fates[arc];
       fate.kind = IS_ZIPPED;
@@ -161,6 +165,7 @@ public:
   // Removes an arc that is glued along paths of several arcs. Others know which, by a number.
   void glue_along_paths(std::uint32_t arc, std::uint32_t number)
   {
+    CGAL_assertion(is_arc(arc));
     detach(arc);
     m_fates[arc].kind = IS_GLUED_ALONG_PATHS;
     m_fates[arc].arc = number;
@@ -172,7 +177,11 @@ public:
   }
 
   // The number for the others.
-  std::uint32_t number_of_glued_arc(std::uint32_t arc) const { return m_fates[arc].arc; }
+  std::uint32_t number_of_glued_arc(std::uint32_t arc) const
+  {
+    CGAL_assertion(is_glued_along_paths(arc));
+    return m_fates[arc].arc;
+  }
 
   // Removes a node that has no arcs any more.
   void remove_node(std::uint32_t node) { m_is_removed[node] = true; }
@@ -218,6 +227,7 @@ private:
 
   void attach(std::uint32_t arc)
   {
+    CGAL_assertion(m_arcs[arc].lower < m_arcs[arc].upper && m_arcs[arc].upper < number_of_nodes());
     for (const Side side : {BELOW, ABOVE}) {
       Arcs_of_side& arcs = m_arcs_of_node[end_on(opposite_side(side), m_arcs[arc])][side];
       m_links[arc][side] = {arcs.last, no_arc};
@@ -234,6 +244,7 @@ private:
       const Links& links = m_links[arc][side];
       (links.previous == no_arc ? arcs.first : m_links[links.previous][side].next) = links.next;
       (links.next == no_arc ? arcs.last : m_links[links.next][side].previous) = links.previous;
+      CGAL_assertion(arcs.size > 0);
       --arcs.size;
     }
   }

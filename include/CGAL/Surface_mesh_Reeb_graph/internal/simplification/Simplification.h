@@ -17,7 +17,11 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_branches.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,21 +33,7 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// What the user asks for.
-struct Simplification_parameters
-{
-  double threshold, loop_threshold;
-  std::size_t number_of_leaves;
-  bool is_absolute;
-};
-
-// The half of a difference, which does not overflow.
-inline double half_of_difference(double lower, double upper)
-{
-  return lower == upper ? 0. : upper / 2 - lower / 2;
-}
-
-// Simplifies a folded graph as simplify_Reeb_graph() says.
+// Simplifies a Reeb graph as simplify_Reeb_graph() says. `values` increase with the nodes.
 class Simplification
 {
 public:
@@ -51,7 +41,9 @@ public:
                  const std::vector<Arc_ends>& ends,
                  const Simplification_parameters& parameters)
     : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values.size(), ends)
-  {}
+  {
+    CGAL_precondition(parameters.threshold >= 0 && parameters.loop_threshold >= 0);
+  }
 
   const Folded_graph& folded_graph() const { return m_folded; }
 
@@ -84,8 +76,7 @@ private:
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
     m_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
-      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
-             thresholds[loop.merge];
+      return difference(m_values[loop.split], m_values[loop.merge]) < thresholds[loop.merge];
     });
   }
 
