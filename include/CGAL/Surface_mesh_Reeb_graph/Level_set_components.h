@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Kernel_traits.h>
@@ -400,7 +401,7 @@ private:
     level.value = value(lower);
     level.shift_up = level.shift_down = 0;
     if (level.value < value(upper))
-      level.shift_up = difference(value(upper), level.value) / 2;
+      level.shift_up = internal::half_of_difference(level.value, value(upper)) / 2;
     else
       spread_tied_levels(level);
     return level;
@@ -418,9 +419,10 @@ private:
     const double place =
         (level.rank - static_cast<double>(first)) / static_cast<double>(end - first - 1);
     if (0 < first)
-      level.shift_down = -difference(level.value, value(first - 1)) * (1 - place) / 2;
+      level.shift_down =
+          -internal::half_of_difference(value(first - 1), level.value) * (1 - place) / 2;
     if (end < m_vertices.size())
-      level.shift_up = difference(value(end), level.value) * place / 2;
+      level.shift_up = internal::half_of_difference(level.value, value(end)) * place / 2;
   }
 
   // Where the component crosses an edge: strictly between 0, the source, and 1, the target.
@@ -431,8 +433,8 @@ private:
     if (lower_value < upper_value && !is_infinite(lower_value) && !is_infinite(upper_value)) {
       const double shift = (lower_value < level.value ? level.shift_down : 0) +
                            (level.value < upper_value ? level.shift_up : 0);
-      const double t =
-          (difference(level.value, lower_value) + shift) / difference(upper_value, lower_value);
+      const double t = (internal::half_of_difference(lower_value, level.value) + shift) /
+                       internal::half_of_difference(lower_value, upper_value);
       if (t == t) // values next to zero may have the difference zero
         return (std::min)((std::max)(t, (std::numeric_limits<double>::min)()),
                           1 - std::numeric_limits<double>::epsilon());
@@ -456,20 +458,6 @@ private:
       return x == Limits::infinity() || x == -Limits::infinity();
     else
       return false;
-  }
-
-  // `upper - lower` times a constant, which drops out of the quotients. Nothing overflows: floating
-  // point numbers are halved, and integers have their difference, which is not negative, modulo a
-  // power of two.
-  static double difference(const FT& upper, const FT& lower)
-  {
-    if constexpr (std::is_integral<FT>::value)
-      return static_cast<double>(static_cast<std::uintmax_t>(upper) -
-                                 static_cast<std::uintmax_t>(lower));
-    else if constexpr (std::is_floating_point<FT>::value)
-      return static_cast<double>(upper / 2 - lower / 2);
-    else
-      return CGAL::to_double(upper - lower);
   }
 
   const TriangleMesh& m_tmesh;

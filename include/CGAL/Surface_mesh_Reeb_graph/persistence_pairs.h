@@ -17,7 +17,9 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -127,9 +129,11 @@ persistence_pairs(const std::vector<double>& values, const std::vector<Arc_ends>
         {pair.side == BELOW ? Persistence_pair_kind::MINIMUM : Persistence_pair_kind::MAXIMUM,
          pair.extremum,
          pair.saddle});
+  CGAL_assertion_code(const std::size_t first_loop = pairs.size());
   for (const Loop_pair& pair : loop_pairs(n, arcs))
     pairs.push_back({Persistence_pair_kind::LOOP, pair.merge, pair.split});
 
+  CGAL_assertion_code(const std::size_t first_component = pairs.size());
   Disjoint_sets components(n);
   for (const Arc_ends& ends : arcs)
     components.join(components.root(ends.lower), components.root(ends.upper));
@@ -142,6 +146,8 @@ persistence_pairs(const std::vector<double>& values, const std::vector<Arc_ends>
     }
     pairs[pair].death = node;
   }
+  CGAL_assertion((first_component - first_loop) + n ==
+                 arcs.size() + (pairs.size() - first_component));
 
   std::sort(pairs.begin(),
             pairs.end(),
@@ -194,7 +200,7 @@ the arcs so far that is a minimum one with respect to their upper nodes, in a li
 
 Takes O(m log m) time for a graph with *m* nodes and arcs.
 
-\throws Error if a value is not a number, if nodes or arcs are not numbered from 0
+\throws Input_error if a value is not a number, if nodes or arcs are not numbered from 0
         without gaps, or if the values do not increase with the numbers; nothing is written to `out`
         then
 

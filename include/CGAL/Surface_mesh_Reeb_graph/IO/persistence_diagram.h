@@ -52,7 +52,7 @@ Values are converted to `double` and written such that these can be read back ex
 
 \return `true` if the stream is good afterwards
 
-\throws Error as `persistence_pairs()`; nothing is written then
+\throws Input_error as `persistence_pairs()`; nothing is written then
 
 \sa `persistence_pairs()`
 */
@@ -92,7 +92,7 @@ writes the persistence pairs of a Reeb graph to a file, which is replaced if it 
 
 \return `true` if the file could be written
 
-\throws Error as `persistence_pairs()`; the file is then left as it was
+\throws Input_error as `persistence_pairs()`; the file is then left as it was
 */
 template <class Graph>
 bool write_persistence_diagram(const std::string& filename, const Graph& graph)

@@ -10,7 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_RISING_LEVEL_SET_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_RISING_LEVEL_SET_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Sequences.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Splay_sequences.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <CGAL/assertions.h>
@@ -30,7 +30,11 @@ namespace internal {
 // taking them out would change nothing.
 class Rising_level_set
 {
+  using Sequences = Splay_sequences<Sequence_number>;
+
 public:
+  static constexpr std::uint32_t no_element = Sequences::no_item;
+
   // A run of edges around a vertex in cyclic order: a lower one by its first and last element in
   // the sequence; an upper one by the number of its edges, to which new elements are given.
   struct Run
@@ -63,12 +67,12 @@ public:
   }
 
   // Says that an element will be needed soon; it may be none.
-  void prefetch_element(std::uint32_t element) const { m_sequences.prefetch_element(element); }
+  void prefetch_element(std::uint32_t element) const { m_sequences.prefetch_item(element); }
 
   // The arc that a component belongs to, by one of its elements.
   std::uint32_t arc(std::uint32_t element)
   {
-    m_sequences.expose(element);
+    m_sequences.splay(element);
     CGAL_assertion(m_sequences.number(element) < m_states.size());
     return m_states[m_sequences.number(element)].arc;
   }
@@ -126,13 +130,13 @@ private:
     std::size_t left_gap, right_gap;
     bool is_upper = false;
     bool is_used = false;
-    std::uint32_t lowest = Sequences::none;
+    std::uint32_t lowest = no_element;
   };
 
   static constexpr std::size_t no_gap = (std::numeric_limits<std::size_t>::max)();
   static constexpr std::size_t no_piece = no_gap;
   // numbers of sequences that are pieces by now, counted down from here
-  static constexpr std::uint32_t first_piece_number = Sequences::none - 1;
+  static constexpr std::uint32_t first_piece_number = Sequences::no_item - 1;
 
   static std::size_t gap_before(const std::vector<Run>& runs, std::size_t i)
   {
@@ -153,7 +157,7 @@ private:
       m_right_of_gap[piece.left_gap] = i;
     if (piece.right_gap != no_gap)
       m_left_of_gap[piece.right_gap] = i;
-    if (piece.root != Sequences::none)
+    if (piece.root != no_element)
       m_sequences.number(piece.root) = first_piece_number - static_cast<std::uint32_t>(i);
     return i;
   }
@@ -162,7 +166,7 @@ private:
   {
     const std::uint32_t first = runs[i].first, last = runs[i].last;
     const std::size_t before = gap_before(runs, i), after = gap_after(runs, i);
-    m_sequences.expose(first);
+    m_sequences.splay(first);
     const std::uint32_t number = m_sequences.number(first);
     const bool is_piece = number >= m_states.size();
     std::size_t left_gap = no_gap, right_gap = no_gap;
@@ -178,13 +182,13 @@ private:
       if (m_states[number].is_closed) {
         const std::uint32_t end = m_sequences.cut_before(first);
         m_sequences.join(first, end);
-        m_sequences.expose(last);
+        m_sequences.splay(last);
         add_piece({m_sequences.cut_after(last), after, before});
         return;
       }
     }
     const std::uint32_t left = m_sequences.cut_before(first);
-    m_sequences.expose(last);
+    m_sequences.splay(last);
     const std::uint32_t right = m_sequences.cut_after(last);
     add_piece({left, left_gap, before});
     add_piece({right, after, right_gap});

@@ -16,7 +16,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Edge_numbers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star_batch.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Sequences.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
@@ -70,7 +69,7 @@ public:
     , m_vertex_index_map(vertex_index_map)
     , m_edge_numbers(tmesh, halfedge_index_map)
     , m_request(request)
-    , m_element(m_edge_numbers.bound(), Sequences::none)
+    , m_element(m_edge_numbers.bound(), Rising_level_set::no_element)
   {
     if (request.has_vertex_arcs)
       m_result.arc_of_vertex.assign(index_bound, no_arc);
@@ -120,7 +119,7 @@ private:
   std::uint32_t element_of_lower_edge(halfedge_descriptor h)
   {
     const std::uint32_t result = element(h);
-    if (result == Sequences::none)
+    if (result == Rising_level_set::no_element)
       throw_internal_error("the level set has come past an edge without its lower end");
     return result;
   }

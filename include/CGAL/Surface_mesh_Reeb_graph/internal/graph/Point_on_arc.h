@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -48,6 +50,7 @@ public:
   // Moves the point into an arc, to the nearer end if it lies outside.
   void move_into(const Arc_ends& ends)
   {
+    CGAL_precondition(ends.lower < ends.upper);
     m_point.lower = std::clamp(m_point.lower, ends.lower + 1, ends.upper);
     m_point.upper = std::clamp(m_point.upper, ends.lower + 1, ends.upper);
   }

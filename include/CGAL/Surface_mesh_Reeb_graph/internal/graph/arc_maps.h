@@ -14,12 +14,14 @@
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -114,9 +116,12 @@ void write_arc_numbers(const Range& keys, const std::vector<Point_on_arc>& point
 {
   using Number = typename boost::property_traits<ArcMap>::value_type;
   auto point = points.begin();
-  for (const auto key : CGAL::make_range(keys))
-    if (get(arc_map, key) != static_cast<Number>(null_arc))
-      put(arc_map, key, static_cast<Number>((point++)->arc));
+  for (const auto key : CGAL::make_range(keys)) {
+    if (get(arc_map, key) == static_cast<Number>(null_arc))
+      continue;
+    CGAL_assertion(point != points.end());
+    put(arc_map, key, static_cast<Number>((point++)->arc));
+  }
 }
 
 } // namespace internal

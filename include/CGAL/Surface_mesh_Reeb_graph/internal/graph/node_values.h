@@ -12,8 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
 
 #include <cmath>
 #include <cstddef>
@@ -25,30 +24,6 @@
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
-
-// The difference of two values, also of infinite ones: equal values have difference 0.
-inline double persistence_between(double lower, double upper)
-{
-  return lower == upper ? 0. : upper - lower;
-}
-
-// The difference of two values in `double`, also of infinite ones: equal values have difference 0.
-// Numbers that are not floating-point ones may have more digits: what is converted is the
-// difference, exactly or nearly.
-template <class FT>
-double difference(const FT& lower, const FT& upper)
-{
-  if constexpr (std::is_floating_point<FT>::value) {
-    return persistence_between(lower, upper);
-  } else if constexpr (std::is_integral<FT>::value) {
-    // in unsigned numbers the difference cannot overflow
-    using Unsigned = std::make_unsigned_t<FT>;
-    return static_cast<double>(
-        static_cast<Unsigned>(static_cast<Unsigned>(upper) - static_cast<Unsigned>(lower)));
-  } else {
-    return CGAL::to_double(upper - lower);
-  }
-}
 
 // The values of the nodes for differences in `double`: floating-point numbers as they are, others
 // less the lowest one.

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -50,6 +51,7 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
 {
   std::vector<Node_degrees> result(number_of_nodes);
   for (const Arc_ends& arc : ends) {
+    CGAL_precondition(arc.lower < arc.upper && arc.upper < number_of_nodes);
     ++result[arc.lower].up;
     ++result[arc.upper].down;
   }

@@ -11,8 +11,11 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_PERSISTENCE_EXTREMUM_PAIRING_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +38,8 @@ struct Extremum_pair
   double persistence;
 };
 
+// Finds the pairs of a Reeb graph: on every side, the components of the sublevel (superlevel) sets
+// grow node by node, and where some merge, all but the one with the eldest extremum end.
 class Extremum_pairing
 {
 public:
@@ -46,6 +51,7 @@ public:
                    const IsArc& is_arc)
     : m_values(values), m_arcs(arcs)
   {
+    CGAL_precondition(std::is_sorted(values.begin(), values.end()));
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
       if (is_arc(arc))
         m_arc_numbers.push_back(arc);
@@ -73,16 +79,13 @@ private:
   void find_pairs(Side side)
   {
     const std::size_t n = m_values.size();
-    // the arcs of every node on the side, by counting sort
-    const Side other_side = opposite_side(side);
-    std::vector<std::size_t> begin(n + 1, 0);
-    for (const std::uint32_t arc : m_arc_numbers)
-      ++begin[end_on(other_side, m_arcs[arc]) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    // the arcs of every node on the side
     std::vector<std::uint32_t> sorted(m_arc_numbers.size());
-    std::vector<std::size_t> position(begin.begin(), begin.end() - 1);
-    for (const std::uint32_t arc : m_arc_numbers)
-      sorted[position[end_on(other_side, m_arcs[arc])]++] = arc;
+    const std::vector<std::size_t> begin = counting_sort(
+        m_arc_numbers.size(),
+        n,
+        [&](std::size_t i) { return end_on(opposite_side(side), m_arcs[m_arc_numbers[i]]); },
+        [&](std::size_t position, std::size_t i) { sorted[position] = m_arc_numbers[i]; });
 
     m_sets = Disjoint_sets(n);
     m_extremum.resize(n);
@@ -118,9 +121,8 @@ private:
 
   void add_pair(Side side, std::uint32_t extremum, std::uint32_t saddle, std::uint32_t arc)
   {
-    const double persistence = side == BELOW
-                                   ? persistence_between(m_values[extremum], m_values[saddle])
-                                   : persistence_between(m_values[saddle], m_values[extremum]);
+    const double persistence = side == BELOW ? difference(m_values[extremum], m_values[saddle])
+                                             : difference(m_values[saddle], m_values[extremum]);
     m_pairs.push_back({extremum, saddle, arc, no_arc, side, persistence});
   }
 

@@ -13,10 +13,12 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Link_cut_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -27,14 +29,9 @@ namespace internal {
 inline std::vector<std::uint32_t>
 sorted_downwards(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
 {
-  std::vector<std::size_t> position(number_of_nodes + 1, 0); // counting sort
-  for (const Arc_ends& ends : arcs)
-    ++position[number_of_nodes - ends.lower];
-  std::partial_sum(position.begin(), position.end(), position.begin());
-  std::vector<std::uint32_t> result(arcs.size());
-  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    result[position[number_of_nodes - 1 - arcs[arc].lower]++] = arc;
-  return result;
+  return items_sorted_by_counting(arcs.size(), number_of_nodes, [&](std::size_t arc) {
+    return number_of_nodes - 1 - arcs[arc].lower;
+  });
 }
 
 // What is known of a set of arcs: the one with the highest upper node.
@@ -92,6 +89,9 @@ public:
   Cycle add(std::uint32_t arc)
   {
     const Arc_ends& ends = m_arcs[arc];
+    CGAL_assertion(ends.lower < ends.upper && ends.upper < m_number_of_nodes);
+    CGAL_assertion(ends.lower <= m_lowest_node);
+    m_lowest_node = ends.lower;
     const std::uint32_t lower_component = m_components.root(ends.lower),
                         upper_component = m_components.root(ends.upper);
     if (lower_component != upper_component) {
@@ -102,6 +102,7 @@ public:
     }
     const Path path = m_forest.path(ends.lower, ends.upper);
     const Highest_arc highest = m_forest.sum(path);
+    CGAL_assertion(highest.arc != no_arc);
     if (highest.upper <= ends.upper)
       return {arc, reversed(path)};
     auto [first, last] = m_forest.cut_out(item_of(highest.arc));
@@ -126,6 +127,7 @@ public:
         m_forest.last_on_path(node, lower_node, [&](std::uint32_t item, const Summary&) {
           return holds(lower_end(item));
         });
+    CGAL_assertion(last.item != Link_cut_forest<Summary>::no_item);
     return {last.item, last.item == lower_node ? no_arc : arc_of(last.next)};
   }
 
@@ -207,6 +209,7 @@ private:
   const std::vector<Arc_ends>& m_arcs;
   Link_cut_forest<Summary> m_forest;
   Disjoint_sets m_components;
+  std::uint32_t m_lowest_node = no_node; // of the arcs so far
 };
 
 } // namespace internal

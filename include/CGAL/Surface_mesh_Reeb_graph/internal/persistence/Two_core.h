@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -64,6 +66,7 @@ public:
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
       if (!is_arc(arc) || is_pruned[arc])
         continue;
+      CGAL_assertion(degree[arcs[arc].lower] >= 2 && degree[arcs[arc].upper] >= 2);
       m_arcs.push_back({number[arcs[arc].lower], number[arcs[arc].upper]});
       m_numbers_of_arcs.push_back(arc);
     }

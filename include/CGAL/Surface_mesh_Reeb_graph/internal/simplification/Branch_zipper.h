@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Zipped_arcs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -75,6 +77,7 @@ public:
       if (m_graph.is_node(node))
         pass(node, begin, branch);
     }
+    CGAL_assertion(branch == m_branches.end());
     m_graph.replace(std::move(m_zipped), m_first, m_next_to);
     for (std::uint32_t node = 0; node < size; ++node)
       m_graph.pass_through_if_regular(node);
@@ -152,6 +155,7 @@ private:
       join(m_arc_that_goes_on, arc);
       ++number_of_arcs;
     }
+    CGAL_assertion(m_size[m_sets.root(m_arc_that_goes_on)] >= number_of_arcs);
     m_size[m_sets.root(m_arc_that_goes_on)] -= number_of_arcs;
     if (!m_outgoing.empty())
       join(m_arc_that_goes_on, m_outgoing.front());

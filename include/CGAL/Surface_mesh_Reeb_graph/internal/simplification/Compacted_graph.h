@@ -12,6 +12,9 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,53 +24,49 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// What folding leaves of a Reeb graph, in terms of the graph before.
+// What folding leaves of a Reeb graph, with new numbers: nodes and arcs without gaps, in the order
+// that a Reeb graph has them.
 struct Compacted_graph
 {
   std::vector<std::uint32_t> nodes;             // numbers of the nodes that are left, increasing
   std::vector<Arc_ends> arcs;                   // between positions in `nodes`
   std::vector<std::uint32_t> first_arc_of_node; // begins there, or else ends there; by position
   std::vector<std::uint32_t> position_of_arc;   // by the arcs of the folded graph
-};
 
-inline Compacted_graph compacted_graph(const Folded_graph& folded, std::size_t number_of_nodes)
-{
-  Compacted_graph result;
-  std::vector<std::uint32_t> position_of_node(number_of_nodes, no_node);
-  for (std::uint32_t node = 0; node < number_of_nodes; ++node) {
-    if (folded.is_node(node)) {
-      position_of_node[node] = static_cast<std::uint32_t>(result.nodes.size());
-      result.nodes.push_back(node);
+  explicit Compacted_graph(const Folded_graph& folded)
+    : position_of_arc(folded.arcs().size(), no_arc)
+  {
+    std::vector<std::uint32_t> position_of_node(folded.number_of_nodes(), no_node);
+    for (std::uint32_t node = 0; node < folded.number_of_nodes(); ++node) {
+      if (folded.is_node(node)) {
+        position_of_node[node] = static_cast<std::uint32_t>(nodes.size());
+        nodes.push_back(node);
+      }
     }
-  }
+    std::vector<std::uint32_t> arcs_left;
+    for (std::uint32_t arc = 0; arc < folded.arcs().size(); ++arc)
+      if (folded.is_arc(arc))
+        arcs_left.push_back(arc);
 
-  // arcs in the order of their lower nodes, stable, by counting sort
-  const std::vector<Arc_ends>& arcs = folded.arcs();
-  std::vector<std::uint32_t> begin(number_of_nodes + 1, 0);
-  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-    if (folded.is_arc(arc))
-      ++begin[arcs[arc].lower + 1];
-  for (std::size_t i = 0; i < number_of_nodes; ++i)
-    begin[i + 1] += begin[i];
-  result.arcs.resize(begin[number_of_nodes]);
-  result.position_of_arc.assign(arcs.size(), no_arc);
-  result.first_arc_of_node.assign(result.nodes.size(), no_arc);
-  for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
-    if (!folded.is_arc(arc))
-      continue;
-    const std::uint32_t position = begin[arcs[arc].lower]++;
-    result.arcs[position] = {position_of_node[arcs[arc].lower], position_of_node[arcs[arc].upper]};
-    result.position_of_arc[arc] = position;
+    const auto lower_position = [&](std::size_t i) {
+      return position_of_node[folded.arcs()[arcs_left[i]].lower];
+    };
+    arcs.resize(arcs_left.size());
+    counting_sort(
+        arcs_left.size(), nodes.size(), lower_position, [&](std::size_t position, std::size_t i) {
+          const Arc_ends& ends = folded.arcs()[arcs_left[i]];
+          CGAL_assertion(folded.is_node(ends.lower) && folded.is_node(ends.upper));
+          arcs[position] = {position_of_node[ends.lower], position_of_node[ends.upper]};
+          position_of_arc[arcs_left[i]] = static_cast<std::uint32_t>(position);
+        });
+
+    first_arc_of_node.assign(nodes.size(), no_arc);
+    for (std::uint32_t i = static_cast<std::uint32_t>(arcs.size()); i-- > 0;)
+      first_arc_of_node[arcs[i].upper] = i;
+    for (std::uint32_t i = static_cast<std::uint32_t>(arcs.size()); i-- > 0;)
+      first_arc_of_node[arcs[i].lower] = i;
   }
-  for (std::uint32_t i = 0; i < result.arcs.size(); ++i) {
-    std::uint32_t& first = result.first_arc_of_node[result.arcs[i].upper];
-    if (first == no_arc)
-      first = i;
-  }
-  for (std::uint32_t i = static_cast<std::uint32_t>(result.arcs.size()); i-- > 0;)
-    result.first_arc_of_node[result.arcs[i].lower] = i;
-  return result;
-}
+};
 
 } // namespace internal
 } // namespace Surface_mesh_Reeb_graph

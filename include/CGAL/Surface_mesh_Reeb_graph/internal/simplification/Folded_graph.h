@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Zipped_arcs.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,8 +28,7 @@ namespace internal {
 
 // A Reeb graph while it is simplified: points of the same height are glued to each other, so that
 // arcs go into other arcs. It remembers what became of every arc, for the vertices of the mesh to
-// follow. All changes of single arcs take constant time, also at
-// nodes with many arcs.
+// follow. All changes of single arcs take constant time, also at nodes with many arcs.
 class Folded_graph
 {
 public:
@@ -84,12 +85,12 @@ public:
           fate = next; // halves the path for later queries
         point.arc = fate.arc;
       } else {
-        const Zipped_arcs& branches = m_zipped_branches[fate.arc];
+        const Zipped_arcs& zipped = m_zipped_arcs[fate.arc];
         if (fate.node == no_node)
           height.move_into(m_arcs[point.arc]);
         else
-          height.move_next_to(fate.node, branches.side());
-        point.arc = branches.arc_at(fate.position, height);
+          height.move_next_to(fate.node, zipped.side());
+        point.arc = zipped.arc_at(fate.position, height);
       }
     }
   }
@@ -130,6 +131,7 @@ public:
   // are set.
   void glue(std::uint32_t arc, std::uint32_t other)
   {
+    CGAL_assertion(is_arc(arc) && is_arc(other) && arc != other);
     detach(arc);
     m_fates[arc].kind = GOES_INTO;
     m_fates[arc].arc = other;
@@ -139,29 +141,31 @@ public:
   // For arcs that are replaced, `first` holds the position of the new arc where their points begin
   // their way; `next_to` holds a node if the points go next to it instead of to those of the same
   // height.
-  void replace(Zipped_arcs&& branches,
+  void replace(Zipped_arcs&& zipped,
                const std::vector<std::uint32_t>& first,
                const std::vector<std::uint32_t>& next_to)
   {
     for (std::uint32_t arc = 0; arc < first.size(); ++arc) {
       if (first[arc] == no_arc)
         continue;
+      CGAL_assertion(is_arc(arc));
       detach(arc);
       Fate& fate = m_fates[arc];
       fate.kind = IS_ZIPPED;
-      fate.arc = static_cast<std::uint32_t>(m_zipped_branches.size());
+      fate.arc = static_cast<std::uint32_t>(m_zipped_arcs.size());
       fate.position = first[arc];
       fate.node = next_to[arc];
     }
-    branches.finish([&](std::uint32_t begin, std::uint32_t end) {
-      return add_arc(branches.side() == BELOW ? Arc_ends{end, begin} : Arc_ends{begin, end});
+    zipped.finish([&](std::uint32_t begin, std::uint32_t end) {
+      return add_arc(zipped.side() == BELOW ? Arc_ends{end, begin} : Arc_ends{begin, end});
     });
-    m_zipped_branches.push_back(std::move(branches));
+    m_zipped_arcs.push_back(std::move(zipped));
   }
 
   // Removes an arc that is glued along paths of several arcs. Others know which, by a number.
   void glue_along_paths(std::uint32_t arc, std::uint32_t number)
   {
+    CGAL_assertion(is_arc(arc));
     detach(arc);
     m_fates[arc].kind = IS_GLUED_ALONG_PATHS;
     m_fates[arc].arc = number;
@@ -173,7 +177,11 @@ public:
   }
 
   // The number for the others.
-  std::uint32_t number_of_glued_arc(std::uint32_t arc) const { return m_fates[arc].arc; }
+  std::uint32_t number_of_glued_arc(std::uint32_t arc) const
+  {
+    CGAL_assertion(is_glued_along_paths(arc));
+    return m_fates[arc].arc;
+  }
 
   // Removes a node that has no arcs any more.
   void remove_node(std::uint32_t node) { m_is_removed[node] = true; }
@@ -200,9 +208,9 @@ private:
   struct Fate
   {
     Fate_kind kind = STAYS;
-    // the one it went into; or the number that others know; or the number of the zipped branches
+    // the one it went into; or the number that others know; or the number of the zipped arcs
     std::uint32_t arc = no_arc;
-    std::uint32_t position = no_arc; // in the zipped branches
+    std::uint32_t position = no_arc; // in the zipped arcs
     std::uint32_t node = no_node;    // that the points of a zipped arc go next to, if there is one
   };
 
@@ -219,6 +227,7 @@ private:
 
   void attach(std::uint32_t arc)
   {
+    CGAL_assertion(m_arcs[arc].lower < m_arcs[arc].upper && m_arcs[arc].upper < number_of_nodes());
     for (const Side side : {BELOW, ABOVE}) {
       Arcs_of_side& arcs = m_arcs_of_node[end_on(opposite_side(side), m_arcs[arc])][side];
       m_links[arc][side] = {arcs.last, no_arc};
@@ -235,6 +244,7 @@ private:
       const Links& links = m_links[arc][side];
       (links.previous == no_arc ? arcs.first : m_links[links.previous][side].next) = links.next;
       (links.next == no_arc ? arcs.last : m_links[links.next][side].previous) = links.previous;
+      CGAL_assertion(arcs.size > 0);
       --arcs.size;
     }
   }
@@ -245,7 +255,7 @@ private:
   std::vector<std::array<Links, 2>> m_links; // by arc and side, in the list of the arc's other end
   std::vector<std::array<Arcs_of_side, 2>> m_arcs_of_node;
   std::vector<bool> m_is_removed;
-  std::vector<Zipped_arcs> m_zipped_branches;
+  std::vector<Zipped_arcs> m_zipped_arcs;
 };
 
 } // namespace internal

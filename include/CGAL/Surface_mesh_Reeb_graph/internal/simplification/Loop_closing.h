@@ -32,52 +32,20 @@ struct Glued_part
   std::uint32_t arc, lower, upper;
 };
 
-// Closes loops of a Reeb graph: folds their cycles flat.
+// Closes loops of a Reeb graph: folds their cycles flat, those with the highest splits first.
 //
 // At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of
-// their other ends. Of the longer arc a part is left there, the cycle has one node less; and so on,
-// until two parallel arcs are left, which become one. What hangs on the cycle hangs on the fold
-// afterwards, at its own height, so the fold is a quotient of the graph that has one loop less.
-//
-// If the cycle of the pair (s, m) consists of two monotone sides, the fold glues each point of one
-// side to the point of the same height on the other, and no other extended persistence pair
-// changes. Sublevel and superlevel sets stay connected as they were, since s and m have joined the
-// two sides already. Of the part of the graph between two heights, the fold glues two intervals: if
-// s or m lies between the heights, they hang together there, and no cycle comes or goes; if both
-// do, the cycle goes; if none does, the two intervals belong to different components of the part,
-// or else there would be a cycle with the split s and a merge below m, and no cycle comes or goes
-// either.
-//
-// If a side goes up and down, its peaks are zipped first, each down to the higher one of the two
-// valleys beside it. Then other pairs may change: two points of the same height are glued that were
-// connected only along the cycle, so two components of sublevel or superlevel sets may become one
-// earlier, by no more than the persistence of the loop.
-//
-// The loops are closed in the order of their splits, from the highest one on, and no small loop
-// comes up later. Before an arc comes there is no small loop at all, and two through the arc would
-// differ by one without it; so there is at most one. To close it changes the highest node of
-// another cycle only if this is a peak that is zipped, which lies at or below m, and never raises
-// the lowest one; a cycle that gets small thereby lay between s and m before, and was small.
+// their other ends, and so on, until two parallel arcs are left, which become one. What hangs on the
+// cycle hangs on the fold afterwards, at its own height. If a side of the cycle goes up and down,
+// its peaks are zipped first, each down to the higher one of the two valleys beside it.
 //
 // A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie
-// above its lower end at once. The logarithms of the lengths of all arcs, measured in nodes, bound
-// the changes from one side to the other: O(log m) for each zip, and O(m log m) more in all
-// (Georgiadis, Kaplan, Shafrir, Tarjan, Werneck, "Data structures for mergeable trees", 2011). A
-// change takes amortized O(log m) time.
+// above its lower end at once. So the time is in the changes from one side to the other: O(m log m)
+// in all, beside those at peaks, each of them amortized O(log m).
 //
-// All cycles together have O(m log m) peaks. For consider the arcs of the forest that cycles may
-// still run through: the upper node would make a small pair with the lower node of the next arc.
-// Let them be divided into up-trees, connected parts in which no node has two arcs down; at first
-// each arc is one. A path has a peak at most where it changes from one up-tree to another. In a
-// tree of up-trees and nodes, let each node hang together with its up-trees by edges of its own:
-// the path has one for each change. A closed cycle is an up-tree, with what hangs on it upwards in
-// the up-trees on its path. Of each of these at most one part is left, which hangs downwards on the
-// cycle. It becomes a neighbor of the new up-tree, as do the nodes: the path becomes a star. Arcs
-// leave at the top, with an edge each; an up-tree without arcs stays, as a node. Now imagine a
-// link-cut tree. To look up a path makes O(log m) edges solid, amortized, and a star without solid
-// edges, of which only the center gets more below it, raises the potential by O(log m). There are
-// O(m) such operations, and every edge that a star takes away had been made solid: O(m log m)
-// edges.
+// The design chapter, loop_closing.md, has the proofs: no other pair changes if both sides are
+// monotone; no small loop comes up later; the numbers of changes and of peaks. It also has the
+// figures that tell why the nodes are not passed one by one.
 class Loop_closing
 {
 public:
@@ -87,7 +55,11 @@ public:
   // The nodes are numbered from the lowest to the highest.
   Loop_closing(std::size_t number_of_nodes, const std::vector<Arc_ends>& arcs)
     : m_number_of_nodes(number_of_nodes), m_arcs(arcs), m_forest(number_of_nodes, m_arcs)
-  {}
+  {
+    CGAL_precondition(std::all_of(arcs.begin(), arcs.end(), [&](const Arc_ends& ends) {
+      return ends.lower < ends.upper && ends.upper < number_of_nodes;
+    }));
+  }
 
   // Closes the loops for which `is_small(pair)` holds. If it holds for a pair, it must hold for all
   // pairs of the same component that lie between the two nodes.
@@ -160,6 +132,8 @@ private:
     m_forest.cut_off_first_node(down);
     const Zipped_sides zipped =
         zip(merge, side(down, valley), {cycle.highest_arc, m_forest.reversed(up), valley});
+    CGAL_assertion(m_arcs[zipped.left.arc].lower == m_arcs[zipped.left.arc].upper);
+    CGAL_assertion(zipped.left.rest == Forest::empty_path);
     m_forest.join_by_node(zipped.path, valley, Forest::empty_path);
   }
 
@@ -169,8 +143,10 @@ private:
   {
     m_have_other_pairs_changed = true;
     const std::uint32_t peak = m_forest.cut_off_last_node(up);
+    CGAL_assertion(valley < peak);
     Path other = m_forest.cut_off_monotone_part(true, peak, rest);
     const std::uint32_t other_valley = m_forest.cut_off_last_node(other);
+    CGAL_assertion(other_valley < peak && other_valley != valley);
     const Zipped_sides zipped =
         zip(peak, side(m_forest.reversed(up), valley), side(other, other_valley));
     m_forest.hang(m_forest.reversed(zipped.path), (std::max)(valley, other_valley));
@@ -206,6 +182,7 @@ private:
   {
     Path path = Forest::path_of_node(node);
     for (;;) {
+      CGAL_assertion(m_arcs[side.arc].upper == m_arcs[other.arc].upper);
       // all of `side` that lies above the lower end of the longer arc passes at once
       if (m_arcs[side.arc].lower < m_arcs[other.arc].lower)
         std::swap(side, other);

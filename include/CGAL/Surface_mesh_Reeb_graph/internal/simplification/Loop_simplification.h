@@ -17,11 +17,11 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Two_core.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_closing.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -77,8 +77,8 @@ public:
     std::vector<Arc_ends> parts;
     for (const std::uint32_t i : positions) {
       const std::uint32_t arc = graph.number_of_glued_arc(points[i].arc);
-      const auto begin = m_parts.begin() + m_first_part[arc],
-                 end = m_parts.begin() + m_first_part[arc + 1],
+      const auto begin = m_parts.begin() + static_cast<std::ptrdiff_t>(m_first_part[arc]),
+                 end = m_parts.begin() + static_cast<std::ptrdiff_t>(m_first_part[arc + 1]),
                  last = is_left(arc) ? end : end - 1; // also for points below the whole arc
       const auto part = std::partition_point(begin, last, [&](const Arc_ends& ends) {
         return is_below(i, m_core.node_before(ends.lower));
@@ -115,17 +115,16 @@ public:
 private:
   bool is_left(std::uint32_t arc) const { return m_arcs[arc].lower < m_arcs[arc].upper; }
 
-  // By arc, by counting sort.
   void sort_parts(const std::vector<Glued_part>& parts)
   {
-    m_first_part.assign(m_arcs.size() + 1, 0);
-    for (const Glued_part& part : parts)
-      ++m_first_part[part.arc + 1];
-    std::partial_sum(m_first_part.begin(), m_first_part.end(), m_first_part.begin());
-    std::vector<std::uint32_t> position(m_first_part.begin(), m_first_part.end() - 1);
     m_parts.resize(parts.size());
-    for (const Glued_part& part : parts)
-      m_parts[position[part.arc]++] = {part.lower, part.upper};
+    m_first_part = counting_sort(
+        parts.size(),
+        m_arcs.size(),
+        [&](std::size_t i) { return parts[i].arc; },
+        [&](std::size_t position, std::size_t i) {
+          m_parts[position] = {parts[i].lower, parts[i].upper};
+        });
   }
 
   // What is left of an arc is a new one.
@@ -147,17 +146,17 @@ private:
 
   Two_core m_core;
   bool m_have_other_pairs_changed = false;
-  std::vector<Arc_ends> m_arcs;            // of the core: what is left of them
-  std::vector<std::uint32_t> m_numbers;    // by arc: that of what is left, in the folded graph
-  std::vector<Arc_ends> m_parts;           // by arc, from the highest part to the lowest one
-  std::vector<std::uint32_t> m_first_part; // by arc, and the number of all parts
+  std::vector<Arc_ends> m_arcs;          // of the core: what is left of them
+  std::vector<std::uint32_t> m_numbers;  // by arc: that of what is left, in the folded graph
+  std::vector<Arc_ends> m_parts;         // by arc, from the highest part to the lowest one
+  std::vector<std::size_t> m_first_part; // by arc, and the number of all parts
 };
 
 // Moves points to the arcs that they belong to after the graph has been simplified, with some loops
 // closed in between. `is_below(i, node)` tells whether the vertex at `points[i]` lies below a node.
 template <class IsBelow>
 void follow(Folded_graph& graph,
-            const Loop_simplification& closed_loops,
+            const Loop_simplification& loops,
             std::vector<Point_on_arc>& points,
             const IsBelow& is_below)
 {
@@ -169,7 +168,7 @@ void follow(Folded_graph& graph,
   }
   if (glued.empty())
     return;
-  closed_loops.move(graph, points, glued, is_below);
+  loops.move(graph, points, glued, is_below);
   for (const std::uint32_t i : glued)
     graph.follow(points[i], [&](std::uint32_t node) { return is_below(i, node); });
 }

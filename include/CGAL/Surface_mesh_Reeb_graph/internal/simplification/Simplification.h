@@ -13,12 +13,15 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_branches.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,29 +33,17 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// What the user asks for.
-struct Simplification_parameters
-{
-  double threshold, loop_threshold;
-  std::size_t number_of_leaves;
-  bool is_absolute;
-};
-
-// The half of a difference, which does not overflow.
-inline double half_of_difference(double lower, double upper)
-{
-  return lower == upper ? 0. : upper / 2 - lower / 2;
-}
-
-// Simplifies a folded graph as simplify_Reeb_graph() says.
+// Simplifies a Reeb graph as simplify_Reeb_graph() says. `values` increase with the nodes.
 class Simplification
 {
 public:
   Simplification(const std::vector<double>& values,
                  const std::vector<Arc_ends>& ends,
                  const Simplification_parameters& parameters)
-    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values, ends)
-  {}
+    : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values.size(), ends)
+  {
+    CGAL_precondition(parameters.threshold >= 0 && parameters.loop_threshold >= 0);
+  }
 
   const Folded_graph& folded_graph() const { return m_folded; }
 
@@ -61,7 +52,7 @@ public:
     cancel_branches();
     if (m_parameters.loop_threshold > 0) {
       close_loops();
-      if (m_closed_loops.have_other_pairs_changed())
+      if (m_loops.have_other_pairs_changed())
         cancel_branches();
     }
   }
@@ -71,7 +62,7 @@ public:
   template <class IsBelow>
   void follow(std::vector<Point_on_arc>& points, const IsBelow& is_below)
   {
-    internal::follow(m_folded, m_closed_loops, points, is_below);
+    internal::follow(m_folded, m_loops, points, is_below);
   }
 
 private:
@@ -84,17 +75,17 @@ private:
   void close_loops()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.loop_threshold);
-    m_closed_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
-      return persistence_between(m_values[loop.split], m_values[loop.merge]) <
-             thresholds[loop.merge];
+    m_loops = Loop_simplification(m_folded, [&](const Loop_pair& loop) {
+      return difference(m_values[loop.split], m_values[loop.merge]) < thresholds[loop.merge];
     });
   }
 
   void cancel_branches()
   {
     const std::vector<double> thresholds = thresholds_of_nodes(m_parameters.threshold);
-    m_folded.run(
-        [&](const Extremum_pair& pair) { return pair.persistence < thresholds[pair.extremum]; });
+    internal::cancel_branches(m_folded, m_values, [&](const Extremum_pair& pair) {
+      return pair.persistence < thresholds[pair.extremum];
+    });
     const std::size_t number_of_leaves = m_parameters.number_of_leaves;
     if (number_of_leaves == (std::numeric_limits<std::size_t>::max)())
       return;
@@ -106,11 +97,11 @@ private:
     if (number <= number_of_leaves)
       return;
 
-    std::vector<Extremum_pair> pairs = m_folded.pairs();
+    std::vector<Extremum_pair> pairs = extremum_pairs(m_folded, m_values);
     if (!m_parameters.is_absolute)
       sort_by_relative_persistence(pairs);
     pairs.resize((std::min)(pairs.size(), number - number_of_leaves));
-    m_folded.cancel(pairs);
+    cancel_pairs(m_folded, m_values, pairs);
   }
 
   // Inside a component the order stays as it is.
@@ -132,8 +123,8 @@ private:
   const std::vector<double>& m_values;
   const std::vector<Arc_ends>& m_ends;
   Simplification_parameters m_parameters;
-  Branch_cancellation m_folded;
-  Loop_simplification m_closed_loops;
+  Folded_graph m_folded;
+  Loop_simplification m_loops;
 };
 
 } // namespace internal

@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -43,7 +45,11 @@ public:
 
   // Says which arc the points go to that come from one and lie beyond its end. It has been added
   // later.
-  void set_next(std::uint32_t position, std::uint32_t next) { m_arcs[position].next = next; }
+  void set_next(std::uint32_t position, std::uint32_t next)
+  {
+    CGAL_assertion(position < next && next < m_arcs.size());
+    m_arcs[position].next = next;
+  }
 
   // Calls `add(begin, end)`, which returns a number, for all arcs.
   template <class AddArc>
@@ -53,8 +59,10 @@ public:
       if (m_arcs[i].next != i)
         set_jump(i);
     }
-    for (Arc& arc : m_arcs)
+    for (Arc& arc : m_arcs) {
+      CGAL_assertion(arc.end != no_node);
       arc.number = add(arc.begin, arc.end);
+    }
   }
 
   // The number of the arc that a point goes to whose way begins in an arc. `point.is_below(node)`

@@ -27,7 +27,49 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Cancels (minimum, merge) and (maximum, split) pairs of a Reeb graph.
+// The pairs of a graph as it is now, in an order in which they can be cancelled. `values` increase
+// with the nodes.
+inline std::vector<Extremum_pair>
+extremum_pairs(const Folded_graph& graph, const std::vector<double>& values)
+{
+  return Extremum_pairing(
+             values, graph.arcs(), [&](std::uint32_t arc) { return graph.is_arc(arc); })
+      .run();
+}
+
+// Cancels a pair if its branch is a single arc: it goes into the arc that it hangs on. Returns
+// whether it was one.
+inline bool cancel_leaf(Folded_graph& graph, const Extremum_pair& pair)
+{
+  const Side side = pair.side, other_side = opposite_side(side);
+  const std::uint32_t arc = graph.heir(other_side, pair.arc);
+  const std::uint32_t node = end_on(side, graph.arcs()[arc]);
+  if (graph.number_of_arcs(side, node) != 0 || graph.number_of_arcs(other_side, node) != 1)
+    return false;
+  CGAL_assertion(node == pair.extremum);
+  const std::uint32_t other_arc = graph.heir(other_side, pair.other_arc);
+  graph.set_heir(other_side, arc, other_arc);
+  graph.glue(arc, other_arc);
+  graph.remove_node(node);
+  graph.pass_through_if_regular(pair.saddle);
+  return true;
+}
+
+// Cancels the pairs of some extrema on a side, all at once.
+inline void zip_branches(Folded_graph& graph,
+                         const std::vector<double>& values,
+                         Side side,
+                         const std::vector<bool>& is_extremum_of_pair)
+{
+  std::vector<Branch_zipper::Branch> branches;
+  for (const Extremum_pair& pair : extremum_pairs(graph, values))
+    if (pair.side == side && is_extremum_of_pair[pair.extremum])
+      branches.push_back({pair.saddle, pair.arc, pair.other_arc});
+  Branch_zipper(graph, side, std::move(branches)).run();
+}
+
+// Cancels (minimum, merge) and (maximum, split) pairs of a Reeb graph: some of its
+// `extremum_pairs()`, in their order. Of every component these must be the first ones.
 //
 // To cancel a minimum, two paths are zipped together that descend from its saddle, one to the
 // minimum, the other past its height: points of the same height become one (Agarwal, Edelsbrunner,
@@ -44,82 +86,41 @@ namespace internal {
 // Vertices of the mesh follow their arcs: those of a branch that is a single arc go to the arc that
 // it hung on, others to the points of the same height. (The end of a branch on which nothing hangs
 // any more goes to the arc next to the last node that something hangs on.)
-class Branch_cancellation : public Folded_graph
+inline void cancel_pairs(Folded_graph& graph,
+                         const std::vector<double>& values,
+                         const std::vector<Extremum_pair>& pairs)
 {
-public:
-  // `values` increase with the nodes.
-  Branch_cancellation(const std::vector<double>& values, const std::vector<Arc_ends>& arcs)
-    : Folded_graph(values.size(), arcs), m_values(values)
-  {}
-
-  // The pairs of the graph as it is now, in an order in which they can be cancelled.
-  std::vector<Extremum_pair> pairs() const
-  {
-    return Extremum_pairing(m_values, arcs(), [this](std::uint32_t arc) { return is_arc(arc); })
-        .run();
+  std::array<std::vector<bool>, 2> is_left; // by side and extremum
+  for (const Extremum_pair& pair : pairs) {
+    if (cancel_leaf(graph, pair))
+      continue;
+    is_left[pair.side].resize(graph.number_of_nodes(), false);
+    is_left[pair.side][pair.extremum] = true;
   }
+  for (const Side side : {BELOW, ABOVE})
+    if (!is_left[side].empty())
+      zip_branches(graph, values, side, is_left[side]);
+}
 
-  // Cancels all pairs of persistence 0, and those for which `is_small(pair)` holds; if it holds for
-  // a pair, it must hold for all pairs of smaller persistence in the same component.
-  template <class IsSmall>
-  void run(const IsSmall& is_small)
-  {
-    std::vector<Extremum_pair> small_pairs = pairs();
-    small_pairs.erase(std::remove_if(small_pairs.begin(),
-                                     small_pairs.end(),
-                                     [&](const Extremum_pair& pair) {
-                                       return pair.persistence != 0 && !is_small(pair);
-                                     }),
-                      small_pairs.end());
-    cancel(small_pairs);
-  }
-
-  // Cancels some of `pairs()`, in their order. Of every component these must be the first ones, and
-  // nothing may have changed since `pairs()` was called.
-  void cancel(const std::vector<Extremum_pair>& pairs_to_cancel)
-  {
-    std::array<std::vector<bool>, 2> is_left; // by side and extremum
-    for (const Extremum_pair& pair : pairs_to_cancel) {
-      if (take_away(pair))
-        continue;
-      is_left[pair.side].resize(number_of_nodes(), false);
-      is_left[pair.side][pair.extremum] = true;
-    }
-    for (const Side side : {BELOW, ABOVE})
-      if (!is_left[side].empty())
-        zip_branches(side, is_left[side]);
-  }
-
-private:
-  // Cancels a pair if its branch is a single arc.
-  bool take_away(const Extremum_pair& pair)
-  {
-    const Side side = pair.side, other_side = opposite_side(side);
-    const std::uint32_t arc = heir(other_side, pair.arc);
-    const std::uint32_t node = end_on(side, arcs()[arc]);
-    if (number_of_arcs(side, node) != 0 || number_of_arcs(other_side, node) != 1)
-      return false;
-    CGAL_assertion(node == pair.extremum);
-    const std::uint32_t other_arc = heir(other_side, pair.other_arc);
-    set_heir(other_side, arc, other_arc);
-    glue(arc, other_arc);
-    remove_node(node);
-    pass_through_if_regular(pair.saddle);
-    return true;
-  }
-
-  // Cancels the pairs of the given extrema on a side.
-  void zip_branches(Side side, const std::vector<bool>& is_extremum_of_pair)
-  {
-    std::vector<Branch_zipper::Branch> branches;
-    for (const Extremum_pair& pair : pairs())
-      if (pair.side == side && is_extremum_of_pair[pair.extremum])
-        branches.push_back({pair.saddle, pair.arc, pair.other_arc});
-    Branch_zipper(*this, side, std::move(branches)).run();
-  }
-
-  const std::vector<double>& m_values;
-};
+// Cancels all pairs of persistence 0, and those for which `is_small(pair)` holds; if it holds for
+// a pair, it must hold for all pairs of smaller persistence in the same component. `values` increase
+// with the nodes.
+template <class IsSmall>
+void cancel_branches(Folded_graph& graph,
+                     const std::vector<double>& values,
+                     const IsSmall& is_small)
+{
+  CGAL_precondition(values.size() == graph.number_of_nodes());
+  CGAL_precondition(std::is_sorted(values.begin(), values.end()));
+  std::vector<Extremum_pair> pairs = extremum_pairs(graph, values);
+  pairs.erase(std::remove_if(pairs.begin(),
+                             pairs.end(),
+                             [&](const Extremum_pair& pair) {
+                               return pair.persistence != 0 && !is_small(pair);
+                             }),
+              pairs.end());
+  cancel_pairs(graph, values, pairs);
+}
 
 } // namespace internal
 } // namespace Surface_mesh_Reeb_graph

@@ -43,12 +43,12 @@ void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
     values[i] =
         values[i - 1] + (order.value(list.nodes[i - 1]) < order.value(list.nodes[i]) ? 1. : 0.);
 
-  Branch_cancellation cancellation(values, list.arcs);
-  cancellation.run([](const Extremum_pair&) { return false; });
-  const Compacted_graph remaining = compacted_graph(cancellation, list.nodes.size());
+  Folded_graph folded(values.size(), list.arcs);
+  cancel_branches(folded, values, [](const Extremum_pair&) { return false; });
+  const Compacted_graph remaining(folded);
 
   const auto arc_after = [&](std::uint32_t arc, vertex_descriptor v) {
-    return remaining.position_of_arc[cancellation.arc_after(
+    return remaining.position_of_arc[folded.arc_after(
         arc, [&](std::uint32_t node) { return order(v, list.nodes[node]); })];
   };
   if (!list.arc_of_vertex.empty()) {

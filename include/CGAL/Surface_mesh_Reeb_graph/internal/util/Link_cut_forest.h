@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Splay_sequences.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -24,9 +26,9 @@ namespace internal {
 // trees", 1985): the trees are cut into paths, every path is a sequence, and the parent of its root
 // is the item that the path hangs on.
 template <class Summary>
-class Link_cut_forest : private Splay_sequences<Summary>
+class Link_cut_forest : private Splay_sequences<Sum_of_items<Summary>>
 {
-  using Base = Splay_sequences<Summary>;
+  using Base = Splay_sequences<Sum_of_items<Summary>>;
   using Base::m_items;
   using Base::splay;
   using Base::update;
@@ -46,6 +48,7 @@ public:
   // Joins two trees by edges from `x` to `item`, a tree of its own, and from there to `y`.
   void insert(std::uint32_t item, std::uint32_t x, std::uint32_t y)
   {
+    CGAL_assertion(Base::is_alone(item) && m_items[item].parent == no_item);
     make_root(y);
     m_items[y].parent = item;
     expose(x); // or else the logarithmic time is not proven
@@ -79,7 +82,11 @@ public:
 
   // Hangs a sequence on an item that is one of its own (or else the logarithmic time is not
   // proven): its first item becomes a neighbor.
-  void hang(Root sequence, std::uint32_t item) { m_items[sequence].parent = item; }
+  void hang(Root sequence, std::uint32_t item)
+  {
+    CGAL_assertion(Base::is_root(sequence) && Base::is_alone(item));
+    m_items[sequence].parent = item;
+  }
 
 private:
   // Makes the path from the root of the tree to `x` one sequence, with root `x`.
@@ -99,13 +106,14 @@ private:
   {
     expose(x);
     Base::reverse(x);
-    Base::push_down_reversal(x);
+    Base::push_down(x);
   }
 
   void make_path(std::uint32_t x, std::uint32_t y)
   {
     make_root(x);
     expose(y);
+    CGAL_assertion(m_items[y].parent == no_item);
   }
 };
 

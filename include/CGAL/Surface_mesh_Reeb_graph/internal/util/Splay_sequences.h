@@ -10,6 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_SPLAY_SEQUENCES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_SPLAY_SEQUENCES_H
 
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
+
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,14 +25,59 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Sequences of the numbers 0, 1, ..., each number in one of them, that can be cut, put together and
-// turned around in amortized logarithmic time: each is a splay tree (Sleator, Tarjan,
-// "Self-adjusting binary search trees", 1985), and the item at its root stands for the sequence.
-// At first each item is a sequence of its own.
+// A summary policy of Splay_sequences: nothing is known of the items, but a sequence has a number,
+// which its root holds.
+struct Sequence_number
+{
+  static constexpr bool is_reversible = false;
+  static constexpr bool can_hang = false;
+  static constexpr bool counts_steps = false;
+
+  struct Data
+  {
+    std::uint32_t number = (std::numeric_limits<std::uint32_t>::max)();
+  };
+
+  static void update(Data&, const Data*, const Data*) {}
+  static void copy_from_root(const Data& root, Data& other) { other.number = root.number; }
+};
+
+// A summary policy of Splay_sequences: the sum of what is known of the items. The default value of
+// `Sum`, for the empty sequence, is neutral in the sum of two, which is associative and commutative
+// (or may depend on the order where several results will do): sequences can be turned around.
+template <class Sum>
+struct Sum_of_items
+{
+  static constexpr bool is_reversible = true;
+  static constexpr bool can_hang = true;
+  static constexpr bool counts_steps = true;
+
+  struct Data
+  {
+    bool is_reversed = false; // the subtree is to be read backwards, which has not been done yet
+    Sum own, all;             // of the item, and of the subtree
+  };
+
+  static void update(Data& data, const Data* left, const Data* right)
+  {
+    data.all = data.own;
+    if (left != nullptr)
+      data.all = data.all + left->all;
+    if (right != nullptr)
+      data.all = data.all + right->all;
+  }
+  static void copy_from_root(const Data&, Data&) {}
+};
+
+// Sequences of the numbers 0, 1, ..., each number in one of them, that can be cut and put together
+// in amortized logarithmic time: each is a splay tree (Sleator, Tarjan, "Self-adjusting binary
+// search trees", 1985), and the item at its root stands for the sequence. At first each item is a
+// sequence of its own.
 //
-// `Summary` says what is known of a set of items: its default value, for the empty set, is neutral
-// in the sum of two, which is associative and commutative (or may depend on the order where several
-// results will do).
+// `Summary` is the policy that says what is known of a sequence: the `Data` of an item, how those of
+// a subtree follow from its root and what lies below it, and what a new root takes over from the
+// old one. With `is_reversible`, sequences can be turned around; with `can_hang`, the root of one
+// can have a parent in another one, which does not know of it, as in link-cut trees.
 template <class Summary>
 class Splay_sequences
 {
@@ -38,26 +87,111 @@ public:
   // Of a sequence, or an empty one.
   using Root = std::uint32_t;
 
-  explicit Splay_sequences(std::size_t size) : m_items(size) {}
+  explicit Splay_sequences(std::size_t size = 0) : m_items(size) {}
+
+  std::uint32_t number_of_items() const { return static_cast<std::uint32_t>(m_items.size()); }
+
+  // Adds the next item, a sequence of its own.
+  std::uint32_t add()
+  {
+    m_items.emplace_back();
+    return number_of_items() - 1;
+  }
+
+  // Adds a sequence of the next `size` items, as a balanced tree.
+  Root add_balanced(std::uint32_t size)
+  {
+    const std::uint32_t first = number_of_items();
+    m_items.resize(m_items.size() + size);
+    return link_balanced(first, first + size, no_item);
+  }
+
+  // Adds an item, which comes after `item` in its sequence and becomes the root. Returns it.
+  std::uint32_t insert_after(std::uint32_t item)
+  {
+    const std::uint32_t new_item = add();
+    splay(item);
+    const Root rest = m_items[item].child[1];
+    m_items[item].child[1] = no_item;
+    update(item);
+    Summary::copy_from_root(m_items[item], m_items[new_item]);
+    return join(item, new_item, rest);
+  }
+
+  // Says that an item will be needed soon; it may be none.
+  void prefetch_item(std::uint32_t item) const
+  {
+    if (item != no_item)
+      prefetch(&m_items[item]);
+  }
+
+  // Makes an item the root of its sequence.
+  void splay(std::uint32_t item)
+  {
+    if constexpr (Summary::counts_steps)
+      ++m_number_of_steps;
+    push_down_from_root(item);
+    while (!is_root(item)) {
+      const std::uint32_t parent = m_items[item].parent;
+      if (!is_root(parent)) {
+        const std::uint32_t grandparent = m_items[parent].parent;
+        const bool is_zigzag =
+            (m_items[parent].child[0] == item) != (m_items[grandparent].child[0] == parent);
+        rotate(is_zigzag ? item : parent);
+      }
+      rotate(item);
+    }
+  }
+
+  // The number of a sequence that is not empty.
+  std::uint32_t& number(Root sequence)
+  {
+    CGAL_assertion(is_root(sequence));
+    return m_items[sequence].number;
+  }
 
   // Says what is known of an item that is a sequence of its own.
-  void set_summary(std::uint32_t item, const Summary& summary)
+  template <class Sum>
+  void set_summary(std::uint32_t item, const Sum& sum)
   {
-    m_items[item].own = m_items[item].all = summary;
+    CGAL_assertion(is_alone(item));
+    m_items[item].own = m_items[item].all = sum;
   }
 
   // What is known of a sequence that is not empty.
-  const Summary& sum(Root sequence) const { return m_items[sequence].all; }
+  const auto& sum(Root sequence) const
+  {
+    CGAL_assertion(is_root(sequence));
+    return m_items[sequence].all;
+  }
 
   void reverse(Root sequence)
   {
+    static_assert(Summary::is_reversible, "the order of these sequences has a meaning");
     if (sequence != no_item)
       m_items[sequence].is_reversed = !m_items[sequence].is_reversed;
+  }
+
+  // Appends a sequence to another one, whose number, if there is one, it gets.
+  Root join(Root first, Root last)
+  {
+    if (first == no_item)
+      return last;
+    if (last == no_item)
+      return first;
+    CGAL_assertion(is_root(first) && is_root(last) && first != last);
+    const std::uint32_t end = end_of(first, 1);
+    splay(end);
+    m_items[end].child[1] = last;
+    m_items[last].parent = end;
+    update(end);
+    return end;
   }
 
   // Puts an item, a sequence of its own, between two sequences.
   Root join(Root first, std::uint32_t item, Root last)
   {
+    CGAL_assertion(is_alone(item));
     m_items[item].child = {first, last};
     for (const Root part : {first, last})
       if (part != no_item)
@@ -65,6 +199,11 @@ public:
     update(item);
     return item;
   }
+
+  // Cuts a sequence before, or after its root. Returns the other part; both have the number of the
+  // whole.
+  Root cut_before(Root sequence) { return cut(sequence, 0); }
+  Root cut_after(Root sequence) { return cut(sequence, 1); }
 
   // Takes the first, or the last item out of a sequence that is not empty.
   std::uint32_t cut_off_first(Root& sequence) { return cut_off_end(sequence, 0); }
@@ -89,11 +228,12 @@ public:
   template <class Holds>
   Neighbors last_item(Root& sequence, const Holds& holds)
   {
+    CGAL_assertion(is_root(sequence));
     Neighbors result = {no_item, no_item};
-    Summary sum_before;
+    auto sum_before = decltype(m_items[sequence].all)();
     for (std::uint32_t item = sequence; item != no_item;) {
-      push_down_reversal(item);
-      Summary sum = sum_before + m_items[item].own;
+      push_down(item);
+      auto sum = sum_before + m_items[item].own;
       if (m_items[item].child[0] != no_item)
         sum = sum + m_items[m_items[item].child[0]].all;
       if (holds(item, sum)) {
@@ -127,70 +267,69 @@ public:
   }
 
   // How many rotations and searches there have been: the time of all operations, but for a constant
-  // factor.
-  std::uint64_t number_of_steps() const { return m_number_of_steps; }
+  // factor. Only with `counts_steps`: the sweep would take a few percent longer.
+  std::uint64_t number_of_steps() const
+  {
+    static_assert(Summary::counts_steps, "the steps of these sequences are not counted");
+    return m_number_of_steps;
+  }
 
 protected:
-  struct Item
+  struct Item : Summary::Data
   {
-    // in the splay tree; at its root free for other uses, by those who have this class as a base
+    // in the splay tree; at its root, with `can_hang`, in another one
     std::uint32_t parent = no_item;
     std::array<std::uint32_t, 2> child = {no_item, no_item};
-    bool is_reversed = false; // the subtree is to be read backwards, which has not been done yet
-    Summary own, all;         // of the item, and of the subtree
   };
 
-  void push_down_reversal(std::uint32_t x)
+  bool is_root(std::uint32_t item) const
   {
-    Item& item = m_items[x];
-    if (!item.is_reversed)
-      return;
-    std::swap(item.child[0], item.child[1]);
-    for (const std::uint32_t child : item.child)
-      reverse(child);
-    item.is_reversed = false;
+    const std::uint32_t parent = m_items[item].parent;
+    if constexpr (Summary::can_hang)
+      return parent == no_item ||
+             (m_items[parent].child[0] != item && m_items[parent].child[1] != item);
+    else
+      return parent == no_item;
   }
 
-  void update(std::uint32_t x)
+  // Whether an item is a sequence of its own.
+  bool is_alone(std::uint32_t item) const
   {
-    Item& item = m_items[x];
-    item.all = item.own;
-    for (const std::uint32_t child : item.child)
-      if (child != no_item)
-        item.all = item.all + m_items[child].all;
+    return is_root(item) && m_items[item].child[0] == no_item && m_items[item].child[1] == no_item;
   }
 
-  // Makes `x` the root of its sequence.
-  void splay(std::uint32_t x)
+  // Carries out the reversal of a subtree at its root.
+  void push_down(std::uint32_t root)
   {
-    ++m_number_of_steps;
-    for (std::uint32_t item = x;; item = m_items[item].parent) {
-      m_stack.push_back(item);
-      if (is_root(item))
-        break;
+    if constexpr (Summary::is_reversible) {
+      Item& item = m_items[root];
+      if (!item.is_reversed)
+        return;
+      std::swap(item.child[0], item.child[1]);
+      for (const std::uint32_t child : item.child)
+        reverse(child);
+      item.is_reversed = false;
     }
-    for (; !m_stack.empty(); m_stack.pop_back())
-      push_down_reversal(m_stack.back());
-    while (!is_root(x)) {
-      const std::uint32_t parent = m_items[x].parent;
-      if (!is_root(parent)) {
-        const std::uint32_t grandparent = m_items[parent].parent;
-        const bool is_zigzag =
-            (m_items[parent].child[0] == x) != (m_items[grandparent].child[0] == parent);
-        rotate(is_zigzag ? x : parent);
-      }
-      rotate(x);
-    }
+  }
+
+  void update(std::uint32_t root)
+  {
+    const auto data = [&](std::uint32_t item) -> const typename Summary::Data* {
+      return item == no_item ? nullptr : &m_items[item];
+    };
+    Summary::update(m_items[root], data(m_items[root].child[0]), data(m_items[root].child[1]));
   }
 
   // Cuts a sequence before its root (side 0), or behind it (side 1). Returns the other part.
-  Root cut(std::uint32_t root, std::size_t side)
+  Root cut(Root sequence, std::size_t side)
   {
-    const std::uint32_t other = m_items[root].child[side];
+    CGAL_assertion(is_root(sequence));
+    const Root other = m_items[sequence].child[side];
     if (other != no_item) {
       m_items[other].parent = no_item;
-      m_items[root].child[side] = no_item;
-      update(root);
+      m_items[sequence].child[side] = no_item;
+      update(sequence);
+      Summary::copy_from_root(m_items[sequence], m_items[other]);
     }
     return other;
   }
@@ -198,35 +337,64 @@ protected:
   std::vector<Item> m_items;
 
 private:
-  bool is_root(std::uint32_t x) const
+  // Makes a tree of the items from `begin` to `end` below `parent`. Returns its root.
+  std::uint32_t link_balanced(std::uint32_t begin, std::uint32_t end, std::uint32_t parent)
   {
-    const std::uint32_t parent = m_items[x].parent;
-    return parent == no_item || (m_items[parent].child[0] != x && m_items[parent].child[1] != x);
+    if (begin == end)
+      return no_item;
+    const std::uint32_t item = begin + (end - begin) / 2;
+    m_items[item].parent = parent;
+    m_items[item].child = {link_balanced(begin, item, item), link_balanced(item + 1, end, item)};
+    update(item);
+    return item;
   }
 
-  void rotate(std::uint32_t x)
+  // Carries out the reversals on the way from the root to an item, from above.
+  void push_down_from_root(std::uint32_t item)
   {
-    ++m_number_of_steps;
-    const std::uint32_t parent = m_items[x].parent, grandparent = m_items[parent].parent;
-    const std::size_t side = m_items[parent].child[1] == x ? 1 : 0;
+    if constexpr (Summary::is_reversible) {
+      m_stack.push_back(item);
+      for (; !is_root(item); m_stack.push_back(item))
+        item = m_items[item].parent;
+      for (; !m_stack.empty(); m_stack.pop_back())
+        push_down(m_stack.back());
+    }
+  }
+
+  // Puts an item in the place of its parent.
+  void rotate(std::uint32_t item)
+  {
+    if constexpr (Summary::counts_steps)
+      ++m_number_of_steps;
+    const std::uint32_t parent = m_items[item].parent, grandparent = m_items[parent].parent;
+    const std::size_t side = m_items[parent].child[1] == item ? 1 : 0;
     if (!is_root(parent))
-      m_items[grandparent].child[m_items[grandparent].child[1] == parent ? 1 : 0] = x;
-    const std::uint32_t inner = m_items[x].child[1 - side];
+      m_items[grandparent].child[m_items[grandparent].child[1] == parent ? 1 : 0] = item;
+    else
+      Summary::copy_from_root(m_items[parent], m_items[item]);
+    const std::uint32_t inner = m_items[item].child[1 - side];
     m_items[parent].child[side] = inner;
     if (inner != no_item)
       m_items[inner].parent = parent;
-    m_items[x].child[1 - side] = parent;
-    m_items[parent].parent = x;
-    m_items[x].parent = grandparent;
+    m_items[item].child[1 - side] = parent;
+    m_items[parent].parent = item;
+    m_items[item].parent = grandparent;
     update(parent);
-    update(x);
+    update(item);
+  }
+
+  // The first (side 0), or the last item (side 1).
+  std::uint32_t end_of(Root sequence, std::size_t side)
+  {
+    std::uint32_t end = sequence;
+    for (push_down(end); m_items[end].child[side] != no_item; push_down(end))
+      end = m_items[end].child[side];
+    return end;
   }
 
   std::uint32_t cut_off_end(Root& sequence, std::size_t side)
   {
-    std::uint32_t end = sequence;
-    for (push_down_reversal(end); m_items[end].child[side] != no_item; push_down_reversal(end))
-      end = m_items[end].child[side];
+    const std::uint32_t end = end_of(sequence, side);
     splay(end);
     sequence = cut(end, 1 - side);
     return end;

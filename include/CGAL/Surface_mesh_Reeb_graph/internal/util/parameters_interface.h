@@ -36,10 +36,14 @@ CGAL_add_named_parameter(unfold_multiple_saddles_t,
 
 // The parameters of CGAL that functions of this package read, with CGAL's tags.
 CGAL_reuse_named_parameter(vertex_point_t, vertex_point, vertex_point_map)
-CGAL_reuse_named_parameter(vertex_index_t, vertex_index, vertex_index_map)
-CGAL_reuse_named_parameter(algorithm_t, algorithm, algorithm)
-CGAL_reuse_named_parameter(callback_t, callback, callback)
-CGAL_reuse_named_parameter(number_of_samples_t, number_of_samples, number_of_samples)
-CGAL_reuse_named_parameter(output_iterator_t, output_iterator, output_iterator)
-CGAL_reuse_named_parameter(random_seed_t, random_seed, random_seed)
-CGAL_reuse_named_parameter(sparse_linear_solver_t, sparse_linear_solver, sparse_linear_solver)
+    CGAL_reuse_named_parameter(vertex_index_t, vertex_index, vertex_index_map)
+        CGAL_reuse_named_parameter(algorithm_t, algorithm, algorithm)
+            CGAL_reuse_named_parameter(callback_t, callback, callback)
+                CGAL_reuse_named_parameter(number_of_samples_t,
+                                           number_of_samples,
+                                           number_of_samples)
+                    CGAL_reuse_named_parameter(output_iterator_t, output_iterator, output_iterator)
+                        CGAL_reuse_named_parameter(random_seed_t, random_seed, random_seed)
+                            CGAL_reuse_named_parameter(sparse_linear_solver_t,
+                                                       sparse_linear_solver,
+                                                       sparse_linear_solver)

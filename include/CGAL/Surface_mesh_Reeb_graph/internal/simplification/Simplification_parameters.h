@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors.
+// All rights reserved.
+//
+// This file is part of Surface_mesh_Reeb_graph.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Surface_mesh_Reeb_graph authors
+
+#ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_PARAMETERS_H
+#define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_PARAMETERS_H
+
+#include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+namespace Surface_mesh_Reeb_graph {
+namespace internal {
+
+// What the user asks for.
+struct Simplification_parameters
+{
+  double threshold, loop_threshold;
+  std::size_t number_of_leaves; // the largest number if there is no limit
+  bool is_absolute;
+};
+
+// Reads the named parameters of simplify_Reeb_graph().
+template <class NamedParameters>
+Simplification_parameters simplification_parameters(const NamedParameters& np)
+{
+  const auto number_of_leaves =
+      choose_own_parameter(np, tags::number_of_leaves, (std::numeric_limits<std::size_t>::max)());
+  using Number = std::decay_t<decltype(number_of_leaves)>;
+  static_assert(std::is_integral<Number>::value, "the number of leaves is an integer");
+  if constexpr (std::is_signed<Number>::value)
+    CGAL_precondition_msg(number_of_leaves >= 0, "the number of leaves is negative");
+  const Simplification_parameters result = {
+      choose_own_parameter(np, tags::persistence_threshold, 0.),
+      choose_own_parameter(np, tags::loop_persistence_threshold, 0.),
+      static_cast<std::size_t>(number_of_leaves),
+      choose_own_parameter(np, tags::threshold_is_absolute, false)};
+  CGAL_precondition_msg(result.threshold >= 0,
+                        "the persistence threshold is negative or not a number");
+  CGAL_precondition_msg(result.loop_threshold >= 0,
+                        "the persistence threshold of the loops is negative or not a number");
+  return result;
+}
+
+} // namespace internal
+} // namespace Surface_mesh_Reeb_graph
+} // namespace CGAL
+
+#endif // CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_SIMPLIFICATION_PARAMETERS_H
