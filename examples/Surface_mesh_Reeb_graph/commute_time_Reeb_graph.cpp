@@ -25,5 +25,5 @@ int main(int argc, char* argv[])
     std::cout << graph[node].type << ' ' << graph[node].value << " at "
               << mesh.point(graph[node].vertex) << '\n';
   for (auto arc : CGAL::make_range(edges(graph)))
-    std::cout << source(arc, graph) << " -- " << target(arc, graph) << '\n';
+    std::cout << lower_node(arc, graph) << " -- " << upper_node(arc, graph) << '\n';
 }

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_GRAPHML_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/dynamic_properties.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/exact_output.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/write_file.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -47,6 +48,7 @@ bool write_GraphML(std::ostream& out,
                    const TriangleMesh& tmesh,
                    const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const internal::Exact_output exact_output(out);
   boost::write_graphml(
       out, graph, internal::node_id_map(graph), internal::graph_properties(graph, tmesh, np), true);
   return out.good();

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_IO_GRAPHVIZ_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/dynamic_properties.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/exact_output.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/write_file.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,10 +20,8 @@
 #include <boost/graph/graphviz.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/property_map/dynamic_property_map.hpp>
-#include <boost/property_map/function_property_map.hpp>
 
 #include <ostream>
-#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -53,12 +52,11 @@ bool write_Graphviz(std::ostream& out,
   boost::dynamic_properties properties = internal::graph_properties(graph, tmesh, np);
   // Graphviz shows the type where it would show the number
   using Node = typename boost::graph_traits<Graph>::vertex_descriptor;
-  properties.property("label", boost::make_function_property_map<Node>([&graph](Node n) {
-                        std::ostringstream text;
-                        const auto& node = get(boost::vertex_bundle, graph)[n];
-                        text << node.type << ' ' << node.id;
-                        return text.str();
-                      }));
+  internal::add_property<Node>(properties, "label", [&graph](Node n) {
+    const auto& node = get(boost::vertex_bundle, graph)[n];
+    return internal::exact_text(node.type, ' ', node.id);
+  });
+  const internal::Exact_output exact_output(out);
   boost::write_graphviz_dp(out, graph, properties, "id");
   return out.good();
 }

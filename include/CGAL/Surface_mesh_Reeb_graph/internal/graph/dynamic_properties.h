@@ -23,7 +23,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <typeinfo>
@@ -32,35 +31,50 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// A number with all its digits: boost::dynamic_properties alone writes six. Infinite ones are
-// written as XML has them.
-template <class Key, class Function>
-class Exact_number_property : public boost::dynamic_property_map
+// Infinite numbers are written as XML has them.
+template <class T>
+std::string property_text(const T& value)
 {
+  if constexpr (std::is_floating_point<T>::value) {
+    if (std::isinf(value))
+      return value < 0 ? "-INF" : "INF";
+  }
+  return exact_text(value);
+}
+
+// A property of the nodes or arcs. Those that boost::dynamic_properties makes by itself write six
+// digits of a number, and group them if the global locale says so.
+template <class Key, class Function>
+class Exact_property : public boost::dynamic_property_map
+{
+  using Value = std::decay_t<std::invoke_result_t<const Function&, Key>>;
+
 public:
-  explicit Exact_number_property(const Function& function) : m_function(function) {}
+  explicit Exact_property(const Function& function) : m_function(function) {}
 
   boost::any get(const boost::any& key) override { return m_function(boost::any_cast<Key>(key)); }
   std::string get_string(const boost::any& key) override
   {
-    const double number = m_function(boost::any_cast<Key>(key));
-    if (std::isinf(number))
-      return number < 0 ? "-INF" : "INF";
-    std::ostringstream text;
-    const Exact_output exact_output(text);
-    text << number;
-    return text.str();
+    return property_text(m_function(boost::any_cast<Key>(key)));
   }
   void put(const boost::any&, const boost::any&) override
   {
     throw boost::dynamic_const_put_error();
   }
   const std::type_info& key() const override { return typeid(Key); }
-  const std::type_info& value() const override { return typeid(double); }
+  const std::type_info& value() const override { return typeid(Value); }
 
 private:
   Function m_function;
 };
+
+template <class Key, class Function>
+void add_property(boost::dynamic_properties& properties,
+                  const std::string& name,
+                  const Function& function)
+{
+  properties.insert(name, boost::make_shared<Exact_property<Key, Function>>(function));
+}
 
 // The properties of nodes and arcs that both formats write.
 template <class Graph, class TriangleMesh, class NamedParameters>
@@ -73,47 +87,31 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
 
+  const auto node_of = [&graph](Node n) -> const auto&
+  {
+    return get(boost::vertex_bundle, graph)[n];
+  };
+  const auto coordinate = [node_of, vertex_point_map](Node n, int i) {
+    return CGAL::to_double(get(vertex_point_map, node_of(n).vertex)[i]);
+  };
   boost::dynamic_properties properties;
-  const auto add_node_property = [&](const std::string& name, auto function) {
-    properties.property(name, boost::make_function_property_map<Node>([&graph, function](Node n) {
-                          return function(get(boost::vertex_bundle, graph)[n]);
-                        }));
-  };
-  const auto add_number_property = [&](const std::string& name, auto function) {
-    const auto number = [&graph, function](Node n) -> double {
-      return function(get(boost::vertex_bundle, graph)[n]);
-    };
-    properties.insert(
-        name,
-        boost::make_shared<Exact_number_property<Node, std::decay_t<decltype(number)>>>(number));
-  };
-  const auto add_arc_property = [&](const std::string& name, auto function) {
-    properties.property(name, boost::make_function_property_map<Arc>([&graph, function](Arc a) {
-                          return function(get(boost::edge_bundle, graph)[a]);
-                        }));
-  };
-  add_node_property("id", [](const auto& node) { return static_cast<unsigned long>(node.id); });
-  add_node_property("mesh_vertex", [vertex_index_map](const auto& node) {
-    return static_cast<unsigned long>(get(vertex_index_map, node.vertex));
+  add_property<Node>(
+      properties, "id", [=](Node n) { return static_cast<unsigned long>(node_of(n).id); });
+  add_property<Node>(properties, "mesh_vertex", [=](Node n) {
+    return static_cast<unsigned long>(get(vertex_index_map, node_of(n).vertex));
   });
-  add_number_property("value", [](const auto& node) { return CGAL::to_double(node.value); });
-  add_node_property("type", [](const auto& node) {
-    std::ostringstream word;
-    word << node.type;
-    return word.str();
+  add_property<Node>(
+      properties, "value", [=](Node n) { return CGAL::to_double(node_of(n).value); });
+  add_property<Node>(properties, "type", [=](Node n) { return exact_text(node_of(n).type); });
+  add_property<Node>(properties, "x", [=](Node n) { return coordinate(n, 0); });
+  add_property<Node>(properties, "y", [=](Node n) { return coordinate(n, 1); });
+  add_property<Node>(properties, "z", [=](Node n) { return coordinate(n, 2); });
+  add_property<Arc>(properties, "id", [&graph](Arc a) {
+    return static_cast<unsigned long>(get(boost::edge_bundle, graph)[a].id);
   });
-  add_number_property("x", [vertex_point_map](const auto& node) {
-    return CGAL::to_double(get(vertex_point_map, node.vertex).x());
+  add_property<Arc>(properties, "number_of_vertices", [&graph](Arc a) {
+    return static_cast<unsigned long>(get(boost::edge_bundle, graph)[a].vertices.size());
   });
-  add_number_property("y", [vertex_point_map](const auto& node) {
-    return CGAL::to_double(get(vertex_point_map, node.vertex).y());
-  });
-  add_number_property("z", [vertex_point_map](const auto& node) {
-    return CGAL::to_double(get(vertex_point_map, node.vertex).z());
-  });
-  add_arc_property("id", [](const auto& arc) { return static_cast<unsigned long>(arc.id); });
-  add_arc_property("number_of_vertices",
-                   [](const auto& arc) { return static_cast<unsigned long>(arc.vertices.size()); });
   return properties;
 }
 

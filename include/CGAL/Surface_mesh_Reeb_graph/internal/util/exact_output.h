@@ -15,6 +15,8 @@
 #include <limits>
 #include <locale>
 #include <ostream>
+#include <sstream>
+#include <string>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -37,6 +39,17 @@ private:
   boost::io::ios_precision_saver m_precision;
   boost::io::ios_locale_saver m_locale;
 };
+
+// The parts as text, the same whatever the global locale: with one that groups digits, a stream of
+// its own would write 1279 as 1.279.
+template <class... Part>
+std::string exact_text(const Part&... parts)
+{
+  std::ostringstream text;
+  const Exact_output exact_output(text);
+  (text << ... << parts);
+  return text.str();
+}
 
 } // namespace internal
 } // namespace Surface_mesh_Reeb_graph
