@@ -174,6 +174,7 @@ limb, in any pose.
 \cgalNamedParamsEnd
 
 \throws Error as the functions that it calls; all outputs are then left as they were
+\throws Interruption if the callback returns `false`; all outputs are then left as they were
 
 \sa `compute_Reeb_graph()`
 */
