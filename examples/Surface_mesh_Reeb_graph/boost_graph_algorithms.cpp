@@ -11,7 +11,6 @@
 #include <boost/graph/isomorphism.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <cmath>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -55,7 +54,7 @@ int main(int argc, char* argv[])
       tips.push_back(node);
   if (tips.size() >= 2) {
     const auto length = boost::make_function_property_map<Arc>([&graph](Arc arc) {
-      return std::abs(graph[source(arc, graph)].value - graph[target(arc, graph)].value);
+      return graph[upper_node(arc, graph)].value - graph[lower_node(arc, graph)].value;
     });
     std::vector<double> distance(num_vertices(graph));
     boost::dijkstra_shortest_paths(

@@ -16,6 +16,8 @@
 
 #include <boost/graph/connected_components.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -72,8 +74,9 @@ void compute_function(const Options& options, Result& result, Progress& progress
   const bool is_eigenfunction = options.function == "eigenfunction";
   if (is_eigenfunction && std::size_t(options.index) >= result.mesh.number_of_vertices())
     throw File_error(options.mesh_file,
-                     "has " + std::to_string(result.mesh.number_of_vertices()) +
-                         " vertices: there is no eigenfunction " + std::to_string(options.index));
+                     "--index: the mesh has " + std::to_string(result.mesh.number_of_vertices()) +
+                         " vertices, so that there is no eigenfunction " +
+                         std::to_string(options.index));
   std::unique_ptr<SMRG::Laplace_Beltrami_eigenbasis<Mesh>> basis;
   timed(result.seconds.eigenbasis, progress, "computing the eigenbasis", [&]() {
     basis = std::make_unique<SMRG::Laplace_Beltrami_eigenbasis<Mesh>>(
@@ -81,11 +84,19 @@ void compute_function(const Options& options, Result& result, Progress& progress
         SMRG::parameters::number_of_eigenpairs(is_eigenfunction ? options.index
                                                                 : options.eigenpairs));
   });
+  std::size_t largest_index = 0;
   for (std::size_t c = 0; c < basis->number_of_components(); ++c) {
+    largest_index = (std::max)(largest_index, basis->number_of_eigenpairs(c));
     result.eigenvalues.emplace_back();
     for (std::size_t k = 1; k <= basis->number_of_eigenpairs(c); ++k)
       result.eigenvalues.back().push_back(basis->eigenvalue(c, k));
   }
+  // components are smaller than the mesh
+  if (is_eigenfunction && static_cast<std::size_t>(options.index) > largest_index)
+    throw File_error(options.mesh_file,
+                     "--index: no component of the mesh has an eigenfunction " +
+                         std::to_string(options.index) + "; the last one is " +
+                         std::to_string(largest_index));
   timed(result.seconds.function, progress, "computing the function", [&]() {
     if (is_eigenfunction) {
       SMRG::eigenfunction(*basis, static_cast<std::size_t>(options.index), result.values);

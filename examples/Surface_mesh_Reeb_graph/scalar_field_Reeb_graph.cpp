@@ -35,6 +35,6 @@ int main(int argc, char* argv[])
     std::cout << graph[node].type << " of value " << graph[node].value << " at "
               << mesh.point(graph[node].vertex) << '\n';
   for (const auto arc : CGAL::make_range(edges(graph)))
-    std::cout << source(arc, graph) << " - " << target(arc, graph) << '\n';
+    std::cout << lower_node(arc, graph) << " - " << upper_node(arc, graph) << '\n';
   return EXIT_SUCCESS;
 }

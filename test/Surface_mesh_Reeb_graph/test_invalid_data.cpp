@@ -45,13 +45,12 @@ using namespace Reeb_graph_test;
 
 BOOST_AUTO_TEST_SUITE(errors)
 
-template <class Float>
-void check_nan()
+// `value_map` reads `values`.
+template <class Float, class VertexScalarMap>
+void check_nan(const Numbered_mesh<Mesh>& input,
+               std::vector<Float>& values,
+               VertexScalarMap value_map)
 {
-  Numbered_mesh<Mesh> input(rough_torus());
-  std::vector<double> doubles = rough_values(rough_torus());
-  std::vector<Float> values(doubles.begin(), doubles.end());
-  const auto value_map = CGAL::make_property_map(values);
   SMRG::Reeb_graph<Mesh, Float> graph;
   SMRG::compute_Reeb_graph(
       input.mesh, value_map, graph, SMRG::parameters::collect_arc_vertices(true));
@@ -86,9 +85,58 @@ void check_nan()
 
 BOOST_AUTO_TEST_CASE(value_that_is_not_a_number)
 {
-  check_nan<double>();
-  check_nan<float>();
+  const Numbered_mesh<Mesh> input(rough_torus());
+  std::vector<double> doubles = rough_values(rough_torus());
+  std::vector<float> floats(doubles.begin(), doubles.end());
+  check_nan(input, doubles, values_as_map(input, doubles));
+  check_nan(input, floats, CGAL::make_property_map(floats));
 }
+
+struct Arguments
+{
+  double persistence_threshold = 0;
+  int number_of_eigenpairs = 5;
+  double residual_tolerance = 1e-8;
+  double small_time = 1.5;
+  double large_time = 20;
+};
+
+// All outputs of the whole method, and whether they are as they were.
+struct Outputs
+{
+  SMRG::Reeb_graph<Mesh> graph{1};
+  std::vector<double> values;
+  std::vector<int> arcs;
+  std::vector<Vertex> points;
+
+  explicit Outputs(std::size_t number_of_vertices)
+    : values(number_of_vertices, 77), arcs(number_of_vertices, 77)
+  {}
+
+  void compute(const Mesh& mesh, const Arguments& arguments)
+  {
+    SMRG::commute_time_Reeb_graph(
+        mesh,
+        graph,
+        SMRG::parameters::vertex_value_map(CGAL::make_property_map(values))
+            .vertex_arc_map(CGAL::make_property_map(arcs))
+            .output_iterator(std::back_inserter(points))
+            .persistence_threshold(arguments.persistence_threshold)
+            .number_of_eigenpairs(arguments.number_of_eigenpairs)
+            .residual_tolerance(arguments.residual_tolerance)
+            .small_time(arguments.small_time)
+            .large_time(arguments.large_time));
+  }
+
+  void check_untouched() const
+  {
+    BOOST_CHECK_EQUAL(num_vertices(graph), 1u);
+    BOOST_CHECK_EQUAL(std::count(values.begin(), values.end(), 77),
+                      static_cast<long>(values.size()));
+    BOOST_CHECK_EQUAL(std::count(arcs.begin(), arcs.end(), 77), static_cast<long>(arcs.size()));
+    BOOST_CHECK(points.empty());
+  }
+};
 
 BOOST_AUTO_TEST_CASE(coordinate_that_is_not_finite)
 {
@@ -98,66 +146,50 @@ BOOST_AUTO_TEST_CASE(coordinate_that_is_not_finite)
     Index_mesh mesh = rough_torus();
     mesh.points[31][1] = bad;
     const Numbered_mesh<Mesh> input(mesh);
-    SMRG::Reeb_graph<Mesh> graph;
-    add_vertex(graph);
-    std::vector<double> values(mesh.points.size(), 77);
-    std::vector<int> arcs(mesh.points.size(), 77);
-    std::vector<Vertex> points;
-    BOOST_CHECK_EXCEPTION(SMRG::commute_time_Reeb_graph(
-                              input.mesh,
-                              graph,
-                              SMRG::parameters::vertex_value_map(CGAL::make_property_map(values))
-                                  .vertex_arc_map(CGAL::make_property_map(arcs))
-                                  .output_iterator(std::back_inserter(points))),
+    Outputs outputs(mesh.points.size());
+    BOOST_CHECK_EXCEPTION(outputs.compute(input.mesh, Arguments()),
                           SMRG::Error,
                           [](const SMRG::Error& error) { return contains(error.what(), " 31 "); });
-    BOOST_CHECK_EQUAL(num_vertices(graph), 1u);
-    BOOST_CHECK_EQUAL(std::count(values.begin(), values.end(), 77),
-                      static_cast<long>(values.size()));
-    BOOST_CHECK_EQUAL(std::count(arcs.begin(), arcs.end(), 77), static_cast<long>(arcs.size()));
-    BOOST_CHECK(points.empty());
+    outputs.check_untouched();
   }
 }
 
-BOOST_AUTO_TEST_CASE(parameters_out_of_range)
+// What the programmer can check is a precondition; what only the computation finds out is an error.
+BOOST_AUTO_TEST_CASE(arguments_out_of_range)
 {
   const Numbered_mesh<Mesh> input(sphere(1));
-  std::vector<double> values(input.vertices.size(), 77);
-  std::vector<int> arcs(input.vertices.size(), 77);
-  SMRG::Reeb_graph<Mesh> graph;
-  add_vertex(graph);
-  const auto outputs = SMRG::parameters::vertex_value_map(CGAL::make_property_map(values))
-                           .vertex_arc_map(CGAL::make_property_map(arcs));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  auto check_throws = [&](const auto& np) {
-    BOOST_CHECK_THROW(SMRG::commute_time_Reeb_graph(input.mesh, graph, np), SMRG::Error);
-    BOOST_CHECK_EQUAL(num_vertices(graph), 1u);
-    BOOST_CHECK_EQUAL(std::count(values.begin(), values.end(), 77),
-                      static_cast<long>(values.size()));
-    BOOST_CHECK_EQUAL(std::count(arcs.begin(), arcs.end(), 77), static_cast<long>(arcs.size()));
-  };
-  check_throws(outputs.persistence_threshold(-0.1));
-  check_throws(outputs.persistence_threshold(nan));
-  check_throws(outputs.number_of_eigenpairs(0));
-  check_throws(outputs.number_of_eigenpairs(-5));
-  check_throws(outputs.small_time(nan));
-  check_throws(outputs.large_time(-1.));
-  check_throws(outputs.residual_tolerance(0.));
+  Outputs outputs(input.vertices.size());
+  for (const Arguments& arguments : {Arguments{-0.1, 5, 1e-8, 1.5, 20},
+                                     Arguments{nan, 5, 1e-8, 1.5, 20},
+                                     Arguments{0, 0, 1e-8, 1.5, 20},
+                                     Arguments{0, -5, 1e-8, 1.5, 20},
+                                     Arguments{0, 5, 1e-8, nan, 20},
+                                     Arguments{0, 5, 1e-8, 1.5, -1}})
+  {
+    BOOST_CHECK_THROW(outputs.compute(input.mesh, arguments), CGAL::Precondition_exception);
+    outputs.check_untouched();
+  }
+  BOOST_CHECK_THROW(outputs.compute(input.mesh, Arguments{0, 5, 0, 1.5, 20}),
+                    SMRG::Numerical_error);
+  outputs.check_untouched();
 
-  const auto map = CGAL::make_property_map(values);
+  const auto map = CGAL::make_property_map(outputs.values);
   BOOST_CHECK_THROW(SMRG::height_function(input.mesh, Double_kernel::Vector_3(0, 0, 0), map),
-                    SMRG::Error);
+                    CGAL::Precondition_exception);
   const SMRG::Laplace_Beltrami_eigenbasis<Mesh> basis(input.mesh,
                                                       SMRG::parameters::number_of_eigenpairs(5));
-  BOOST_CHECK_THROW(SMRG::eigenfunction(basis, 0, map), SMRG::Error);
-  BOOST_CHECK_THROW(SMRG::eigenfunction(basis, 1000, map), SMRG::Error);
-  BOOST_CHECK_EQUAL(std::count(values.begin(), values.end(), 77), static_cast<long>(values.size()));
+  BOOST_CHECK_THROW(SMRG::eigenfunction(basis, 0, map), CGAL::Precondition_exception);
+  BOOST_CHECK_THROW(SMRG::eigenfunction(basis, 1000, map), CGAL::Precondition_exception);
+  outputs.check_untouched();
 }
 
 BOOST_AUTO_TEST_CASE(empty_mesh)
 {
-  const Mesh mesh;
-  const auto map = function_map<Vertex>([](Vertex) { return 0.; });
+  const Numbered_mesh<Mesh> input;
+  const Mesh& mesh = input.mesh;
+  const std::vector<double> values;
+  const auto map = values_as_map(input, values);
   SMRG::Reeb_graph<Mesh> graph;
   add_vertex(graph);
   SMRG::compute_Reeb_graph(mesh, map, graph);
@@ -169,7 +201,8 @@ BOOST_AUTO_TEST_CASE(empty_mesh)
       SMRG::parameters::persistence_threshold(0.5).vertex_arc_map(boost::dummy_property_map()));
   BOOST_CHECK_EQUAL(num_vertices(graph), 0u);
 
-  const SMRG::Laplace_Beltrami_eigenbasis<Mesh> basis(mesh);
+  const SMRG::Laplace_Beltrami_eigenbasis<Mesh> basis(mesh,
+                                                      SMRG::parameters::number_of_eigenpairs(5));
   BOOST_CHECK_EQUAL(basis.number_of_components(), 0u);
   std::vector<Vertex> points;
   SMRG::feature_points(basis, std::back_inserter(points));

@@ -444,17 +444,34 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
   check_error(folder, mesh + "--no-such-option 3", {"no-such-option"});
   check_error(folder, mesh + "--function shape", {"shape", "commute_time", "height"});
   check_error(folder, mesh + "--function height --axis 1,2", {"--axis", "1,2"});
-  check_error(folder, mesh + "--function height --axis 0,0,0", {"axis", "direction"});
+  check_error(folder, mesh + "--function height --axis 0,0,0", {"--axis", "direction"});
+  check_error(
+      folder, mesh + "--function height --axis 1.7e308,1.7e308,1.7e308", {"--axis", "direction"});
   check_error(folder, mesh + "--function eigenfunction --index 0", {"--index"});
-  check_error(folder, mesh + "--function eigenfunction --index 42", {"eigenfunction 42"});
+  check_error(
+      folder, mesh + "--function eigenfunction --index 42", {"--index", "eigenfunction 42"});
+  // less than the number of vertices, but more than a component has
+  Index_mesh two_spheres = sphere(0);
+  const std::string index = std::to_string(two_spheres.points.size());
+  append(two_spheres, sphere(0), 5);
+  check_error(folder,
+              "'" + folder.write("two.off", two_spheres) + "' --function eigenfunction --index " +
+                  index,
+              {"--index", "eigenfunction " + index, "component"});
+  check_error(folder, mesh + "--index -1", {"--index"});
   check_error(folder, mesh + "--eigenpairs 0", {"--eigenpairs"});
+  check_error(folder, mesh + "--eigenpairs -3", {"--eigenpairs"});
   check_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
   check_error(folder, mesh + "--simplify -0.1", {"--simplify"});
+  check_error(folder, mesh + "--simplify nan", {"--simplify"});
   check_error(folder, mesh + "--close-loops nan", {"--close-loops"});
+  check_error(folder, mesh + "--close-loops -1", {"--close-loops"});
   check_error(folder, mesh + "--leaves -1", {"--leaves"});
   check_error(folder, mesh + "--diagram '" + folder.file("no/such/x.pers") + "'", {"x.pers"});
   check_error(folder, mesh + "--small-time nan", {"--small-time"});
+  check_error(folder, mesh + "--small-time -1", {"--small-time"});
   check_error(folder, mesh + "--large-time -1", {"--large-time"});
+  check_error(folder, mesh + "--large-time inf", {"--large-time"});
   check_error(folder, mesh + "--report xml", {"xml"});
   check_error(
       folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});

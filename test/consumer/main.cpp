@@ -2,6 +2,10 @@
 
 #include <CGAL/surface_mesh_Reeb_graph.h>
 
+#ifdef CGAL_SURFACE_MESH_REEB_GRAPH_LAPLACE_BELTRAMI_EIGENBASIS_H
+#error "the header for Reeb graphs of given functions includes the spectral half"
+#endif
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>

@@ -5,22 +5,31 @@
 
 #include <boost/program_options.hpp>
 
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <locale>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 inline std::array<double, 3> parse_axis(const std::string& text)
 {
   std::istringstream in(text);
+  in.imbue(std::locale::classic());
   std::array<double, 3> axis;
   char comma_1 = 0, comma_2 = 0, rest = 0;
   if (!(in >> axis[0] >> comma_1 >> axis[1] >> comma_2 >> axis[2]) || comma_1 != ',' ||
       comma_2 != ',' || in >> rest)
     throw std::runtime_error("--axis: '" + text + "' is not of the form x,y,z");
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (length == 0 || !std::isfinite(length))
+    throw std::runtime_error("--axis: '" + text + "' has no finite direction");
   return axis;
 }
 
+// All that the functions of the library require of their arguments: a program without assertions
+// would not hear of it from them.
 inline void check_options(const Options& options)
 {
   const auto require = [](bool condition, const std::string& message) {
@@ -34,8 +43,8 @@ inline void check_options(const Options& options)
               "'; there are commute_time, height and eigenfunction");
   require(options.index >= 1, "--index must be at least 1");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
-  require(options.simplify >= 0, "--simplify must not be negative");
-  require(options.close_loops >= 0, "--close-loops must not be negative");
+  require(options.simplify >= 0, "--simplify must be a number that is not negative");
+  require(options.close_loops >= 0, "--close-loops must be a number that is not negative");
   require(options.leaves >= 0, "--leaves must not be negative");
   require(is_time(options.small_time), "--small-time must be finite and not negative");
   require(is_time(options.large_time), "--large-time must be finite and not negative");

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <ios>
 #include <limits>
+#include <locale>
 #include <string>
 
 // From red through yellow, green and cyan to blue as t goes from 0 to 1, as in the figures of the
@@ -47,12 +48,14 @@ inline void color_by_value(Mesh& mesh, const Value_map& values)
   }
 }
 
+// The files are the same in every locale.
 template <class Write>
 void write_file(const std::string& file,
                 const Write& write,
                 std::ios::openmode mode = std::ios::out)
 {
   std::ofstream out(file, mode);
+  out.imbue(std::locale::classic());
   if (!out)
     throw File_error(file, "cannot be opened for writing");
   write(out);

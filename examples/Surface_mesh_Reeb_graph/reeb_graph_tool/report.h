@@ -5,12 +5,14 @@
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 
+#include <boost/io/ios_state.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <locale>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -97,6 +99,7 @@ inline std::size_t number_of_points(const Mesh& mesh)
 
 inline void print_text(std::ostream& out, const Options& options, const Result& result)
 {
+  const boost::io::ios_locale_saver locale(out, std::locale::classic());
   const Node_counts counts = count_nodes(result.graph);
   const std::size_t vertices = result.mesh.number_of_vertices();
   const std::size_t points = number_of_points(result.mesh);

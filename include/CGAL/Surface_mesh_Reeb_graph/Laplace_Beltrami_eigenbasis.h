@@ -123,8 +123,8 @@ public:
   /*!
   computes the eigenpairs.
 
-  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-          parameters"
+  \tparam NamedParameters a sequence of
+          \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
   \param tmesh the mesh; it must outlive the basis and not be changed meanwhile
   \param np an optional sequence of named parameters among the ones listed below

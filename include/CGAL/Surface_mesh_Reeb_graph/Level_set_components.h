@@ -135,8 +135,8 @@ public:
   /*!
   sorts the vertices.
 
-  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-          parameters"
+  \tparam NamedParameters a sequence of
+          \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
   \param tmesh the mesh; it must outlive the object and not be changed meanwhile
   \param scalar_map the function; its values must stay the same meanwhile
@@ -233,8 +233,8 @@ public:
   whatever vertices, have no point in common: one can cut along all of them. (Numbers of limited
   precision can be too coarse for that, if values or points are almost equal.)
 
-  \tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-          parameters"
+  \tparam NamedParameters a sequence of
+          \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
   \param component a component that this object has found
   \param np an optional sequence of named parameters among the ones listed below
@@ -492,8 +492,8 @@ class `Level_set_components`.
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as
         value type
 \tparam OutputIterator a model of `OutputIterator` that accepts `Level_set_component<TriangleMesh>`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param v the vertex, as the member `vertex` of a node of a Reeb graph
 \param tmesh the mesh

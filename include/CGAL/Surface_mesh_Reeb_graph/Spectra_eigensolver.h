@@ -40,7 +40,7 @@ one vector at a time.
 
 It gives the same eigenpairs as `Block_Lanczos_eigensolver`, in several times its time on large
 meshes (\ref eigenbasis_performance). The header is not among those that
-`<CGAL/surface_mesh_Reeb_graph.h>` includes, since it needs Spectra: with CMake, link to
+`<CGAL/Surface_mesh_Reeb_graph/spectral.h>` includes, since it needs Spectra: with CMake, link to
 `Spectra::Spectra`.
 
 \tparam SolverTraits as in `Block_Lanczos_eigensolver`

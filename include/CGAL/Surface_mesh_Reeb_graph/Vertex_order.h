@@ -294,8 +294,8 @@ highest one *n* - 1, where *n* is the number of vertices. (Removed vertices of a
         any other type with a strict order `<`, as value type
 \tparam VertexRankMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
         number type as value type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param scalar_map the function
@@ -352,8 +352,8 @@ saddles inside plateaus then, which the values given here hide from it.)
         any other type with a strict order `<`, as value type
 \tparam VertexValueMap a model of `WritablePropertyMap` with the vertex descriptor as key type and a
         number type that has fractions, as `double`, as value type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param scalar_map the function

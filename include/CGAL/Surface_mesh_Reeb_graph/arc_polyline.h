@@ -41,8 +41,8 @@ branches that hung on the arc, which may lie above the upper node, or below the 
 
 \tparam Graph a graph filled by `compute_Reeb_graph()`
 \tparam TriangleMesh a model of `VertexListGraph`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param arc the arc
 \param graph the Reeb graph; without the vertices of its arcs (see the named parameter

@@ -43,8 +43,8 @@ limb, in any pose.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam MutableGraph as in `compute_Reeb_graph()`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param graph the Reeb graph; what it contained before is lost
@@ -174,6 +174,7 @@ limb, in any pose.
 \cgalNamedParamsEnd
 
 \throws Error as the functions that it calls; all outputs are then left as they were
+\throws Interruption if the callback returns `false`; all outputs are then left as they were
 
 \sa `compute_Reeb_graph()`
 */

@@ -91,8 +91,8 @@ depend on how vertices and faces are numbered either.
         have (at least) the members of `Reeb_node` and `Reeb_arc` and are default constructible and
         copyable; for example `Reeb_graph<TriangleMesh>`, or `Reeb_graph<TriangleMesh, FT>` for
         values of type `FT`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param scalar_map the function

@@ -19,14 +19,14 @@ namespace Surface_mesh_Reeb_graph {
 /*!
 \ingroup PkgSurfaceMeshReebGraphExceptions
 
-The base class of what is thrown when the *data* make a computation impossible. It is thrown in
-every build mode; `what()` says what was found and where. All outputs of the function that throws
-are left as they were.
+The base class of what is thrown when the *data* make a computation impossible: what only the
+computation itself can find out about a mesh, a function or a graph. It is thrown in every build mode;
+`what()` says what was found and where. All outputs of the function that throws are left as they were.
 
-Wrong use of a function that its caller can rule out (a number out of range for
-`Laplace_Beltrami_eigenbasis::eigenvalue()`, a negative threshold) is a violated precondition
-instead, as everywhere in \cgal: `CGAL::Precondition_exception`, unless preconditions are switched
-off.
+An argument that the programmer chooses and can check (an index out of range, a negative threshold,
+time or number of samples, an axis without direction) is a precondition instead, as everywhere in
+\cgal: `CGAL::Precondition_exception`, unless preconditions are switched off, as `NDEBUG` does.
+Whoever takes such arguments from a user, as the command-line tool does, checks them before.
 */
 class Error : public std::runtime_error
 {

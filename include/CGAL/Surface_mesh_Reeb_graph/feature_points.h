@@ -100,8 +100,8 @@ one.
 \tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_Beltrami_eigenbasis`
 \tparam OutputIterator a model of `OutputIterator` that holds
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param basis the eigenbasis
 \param out receives the feature points, component by component, by decreasing distance

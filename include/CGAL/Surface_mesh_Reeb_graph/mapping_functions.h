@@ -56,8 +56,8 @@ its position vector with the normalized axis. It depends on the pose of the shap
 \tparam VertexScalarMap a model of `WritablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
         type
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param axis the direction of increasing height

@@ -54,8 +54,8 @@ new.
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number type as
         value type
 \tparam MutableGraph as in `compute_Reeb_graph()`
-\tparam NamedParameters a sequence of \ref CGAL::Surface_mesh_Reeb_graph::parameters "named
-        parameters"
+\tparam NamedParameters a sequence of
+        \ref CGAL::Surface_mesh_Reeb_graph::parameters "named parameters"
 
 \param tmesh the mesh
 \param scalar_map the function

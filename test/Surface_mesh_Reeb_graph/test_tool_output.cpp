@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Surface_mesh_Reeb_graph authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the command-line tool writes, under a global locale that groups digits.
+
+#define BOOST_TEST_MODULE test_tool_output
+
+#include "Grouping_locale.h"
+#include "Index_mesh.h"
+#include "random_meshes.h"
+
+// after random_meshes.h: Boost's disjoint sets do not compile after its readers of graphs
+#include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/output.h"
+#include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/report.h"
+
+#include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace Reeb_graph_test;
+
+namespace {
+
+// The contents of all files that the tool writes, by the ends of their names.
+std::map<std::string, std::string> written_files(Result& result)
+{
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      ("reeb_graph_output_" + std::to_string(std::random_device()()));
+  std::filesystem::create_directory(folder);
+  write_results(result, (folder / "x").string());
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::ifstream in(entry.path(), std::ios_base::binary);
+    contents[entry.path().filename().string().substr(1)] =
+        std::string(std::istreambuf_iterator<char>(in), {});
+  }
+  std::filesystem::remove_all(folder);
+  return contents;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(global_locale_that_groups_digits)
+{
+  Result result;
+  std::vector<vertex_descriptor> vertices;
+  make_mesh(torus(100, 50), result.mesh, vertices);
+  result.values = result.mesh.add_property_map<vertex_descriptor, double>("v:value").first;
+  result.arcs = result.mesh.add_property_map<vertex_descriptor, int>("v:arc", -1).first;
+  std::mt19937 rng(20);
+  for (vertex_descriptor v : vertices)
+    result.values[v] = 1e4 * random_unit(rng);
+  SMRG::compute_Reeb_graph(
+      result.mesh,
+      result.values,
+      result.graph,
+      SMRG::parameters::vertex_arc_map(result.arcs).collect_arc_vertices(true));
+  result.number_of_components = 1;
+  result.feature_points = {vertices[1279]};
+  result.eigenvalues = {{1279.5}};
+  result.seconds.read = 1279.5;
+  BOOST_REQUIRE_GT(num_vertices(result.graph), 1000u);
+
+  const auto report = [&]() {
+    std::ostringstream json, text;
+    print_json(json, result);
+    print_text(text, Options(), result);
+    return std::make_pair(json.str(), text.str());
+  };
+  const std::map<std::string, std::string> expected_files = written_files(result);
+  const auto expected_report = report();
+  BOOST_TEST(expected_files.size() == 6u);
+  BOOST_TEST(expected_report.first.find("1279.5") != std::string::npos);
+  BOOST_TEST(expected_report.second.find("1279.5") != std::string::npos);
+
+  const Grouping_locale grouping;
+  const std::map<std::string, std::string> files = written_files(result);
+  BOOST_TEST(files.size() == expected_files.size());
+  for (const auto& file : expected_files)
+    BOOST_TEST((files.at(file.first) == file.second), file.first << " depends on the locale");
+  BOOST_TEST(report().first == expected_report.first);
+  BOOST_TEST(report().second == expected_report.second);
+}
