@@ -55,8 +55,11 @@ orthogonal to those found is searched from new random vectors. The chance to mis
 any size. Beside the factor and the result it holds about three vectors for every pair wanted, 8
 bytes per vertex each.
 
-\tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
-        `CGAL::Eigen_solver_traits` with `Supernodal_Cholesky`
+<b>Example.</b>
+\cgalExample{Surface_mesh_Reeb_graph/smallest_eigenpairs.cpp}
+
+\tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default one that has
+        `Supernodal_Cholesky`
 
 \cgalModels `LaplaceBeltramiEigensolver`
 

@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/huge_pages.h>
 
 #include <Eigen/Core>
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
