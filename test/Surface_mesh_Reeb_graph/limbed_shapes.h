@@ -344,9 +344,9 @@ inline void check_places_of_nodes(const Shape& shape, const Graph& graph, const 
   std::multiset<int> tips;
   for (const auto node : CGAL::make_range(vertices(graph))) {
     const Vector& p = shape.straight_point(graph[node].vertex);
-    if (graph[node].type == SMRG::MAXIMUM)
+    if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM)
       tips.insert(limb_with_tip_at(p, limbs));
-    if (graph[node].type == SMRG::MINIMUM)
+    if (graph[node].type == SMRG::Reeb_node_type::MINIMUM)
       // less than half of the way to the nearest tip
       BOOST_TEST((std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) < 3.5);
   }

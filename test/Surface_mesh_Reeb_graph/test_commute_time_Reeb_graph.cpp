@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(values_at_tips_do_not_depend_on_pose_and_triangulation)
     std::vector<double> values(6, 0);
     for (const auto node : CGAL::make_range(vertices(graph))) {
       const int limb = limb_with_tip_at(shape.straight_point(graph[node].vertex), 6);
-      if (graph[node].type == SMRG::MAXIMUM && limb >= 0)
+      if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM && limb >= 0)
         values[static_cast<std::size_t>(limb)] = graph[node].value;
     }
     if (first.empty())
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(every_component_has_the_graph_that_it_has_alone)
   BOOST_TEST(arcs[isolated] == SMRG::null_arc);
   std::size_t isolated_nodes = 0;
   for (const auto node : CGAL::make_range(vertices(graph)))
-    if (graph[node].type == SMRG::ISOLATED) {
+    if (graph[node].type == SMRG::Reeb_node_type::ISOLATED) {
       ++isolated_nodes;
       BOOST_TEST(graph[node].vertex == isolated);
     }

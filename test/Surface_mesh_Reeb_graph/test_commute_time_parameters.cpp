@@ -193,7 +193,7 @@ BOOST_FIXTURE_TEST_CASE(arcs_of_vertices_agree_with_vertices_of_arcs, Fixture)
     if (threshold > 0) {
       std::set<std::size_t> arcs_of_tips;
       for (const auto node : CGAL::make_range(vertices(graph)))
-        if (graph[node].type == SMRG::MAXIMUM)
+        if (graph[node].type == SMRG::Reeb_node_type::MAXIMUM)
           arcs_of_tips.insert(arcs[graph[node].vertex]);
       BOOST_TEST(arcs_of_tips.size() == 4);
     }

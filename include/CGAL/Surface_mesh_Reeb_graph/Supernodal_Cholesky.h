@@ -449,8 +449,11 @@ private:
     const Index size = m_structure.number_of_rows_below(child);
     const StorageIndex* const rows = m_structure.rows_below(child);
     StorageIndex* const row = work.row_in_parent.data();
-    for (Index i = 0; i < size; ++i)
+    for (Index i = 0; i < size; ++i) {
       row[i] = work.row_in_front[static_cast<std::size_t>(rows[i])];
+      // the parent has all rows of its children, in the same order
+      CGAL_assertion(row[i] < width + below && (i == 0 || row[i - 1] < row[i]));
+    }
     for (Index j = 0; j < size; ++j) {
       Scalar* const to = row[j] < width ? panel + row[j] * (width + below)
                                         : square + (row[j] - width) * below - width;
