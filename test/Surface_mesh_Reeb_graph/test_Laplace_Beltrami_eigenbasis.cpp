@@ -12,11 +12,7 @@
 #include "spectral_shapes.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
-#include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
-
-#include <CGAL/assertions.h>
 
 #include <Eigen/Dense>
 
@@ -26,10 +22,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <random>
-#include <string>
 #include <utility>
 #include <vector>
 

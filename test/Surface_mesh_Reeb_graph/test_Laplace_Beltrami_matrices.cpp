@@ -28,7 +28,6 @@
 #include <limits>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace SMRG = CGAL::Surface_mesh_Reeb_graph;

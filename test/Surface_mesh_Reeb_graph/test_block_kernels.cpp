@@ -19,13 +19,11 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
 #include <type_traits>
-#include <utility>
 
 namespace internal = CGAL::Surface_mesh_Reeb_graph::internal;
 using namespace Reeb_graph_test;

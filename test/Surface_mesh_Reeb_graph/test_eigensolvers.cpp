@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Block_Lanczos_eigensolver.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Eigenpairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Eigensolver_options.h>
-#include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Spectra_eigensolver.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
@@ -31,11 +30,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)

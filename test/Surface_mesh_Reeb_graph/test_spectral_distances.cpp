@@ -11,12 +11,10 @@
 #include "random_meshes.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/farthest_pair.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
 #include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/spectral_distances.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -28,14 +26,12 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace SMRG = CGAL::Surface_mesh_Reeb_graph;

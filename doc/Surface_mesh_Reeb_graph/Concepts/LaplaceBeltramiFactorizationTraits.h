@@ -28,7 +28,7 @@ class LaplaceBeltramiFactorizationTraits
 {
 public:
   /// a sparse square matrix, constructed from its number of rows, with `set_coef(i, j, value,
-  /// true)` to set an entry that was not set before
+  /// true)` to set an entry that was not set before; or `Eigen::SparseMatrix<double>`
   typedef unspecified_type Matrix;
   /// a vector, constructed from its number of entries, with `set(i, value)` and `operator[](i)
   /// const`

@@ -55,8 +55,11 @@ orthogonal to those found is searched from new random vectors. The chance to mis
 any size. Beside the factor and the result it holds about three vectors for every pair wanted, 8
 bytes per vertex each.
 
-\tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default
-        `CGAL::Eigen_solver_traits` with `Supernodal_Cholesky`
+<b>Example.</b>
+\cgalExample{Surface_mesh_Reeb_graph/smallest_eigenpairs.cpp}
+
+\tparam SolverTraits a model of `LaplaceBeltramiFactorizationTraits`; by default one that has
+        `Supernodal_Cholesky`
 
 \cgalModels `LaplaceBeltramiEigensolver`
 
@@ -141,7 +144,7 @@ private:
     double last_error = 0;
     for (int restarts = 0; restarts < max_restarts; ++restarts) {
       while (m_processed < capacity && has_room_for_block()) {
-        multiply_next(m_basis.size());
+        multiply_next();
         ++steps;
         if (steps < next_look && m_processed < capacity && has_room_for_block())
           continue;
@@ -170,19 +173,20 @@ private:
     return converged == number;
   }
 
-  // Multiplies the first pending block by A, and puts what is orthogonal to the basis at
-  // `position`.
+  // Multiplies the first pending block by A, and adds what is orthogonal to the basis to it.
   //
   // What T says about the product is subtracted anyway, and leaves errors of rounding, which grow
   // by the ratio of the largest eigenvalues to the coupling of the blocks from step to step. So
   // every other block stays loose: it is made orthogonal to all others together with the next one,
   // which reads the basis only once for both (\cgalCite{grimes_1994}). Its errors influence its
   // norm and T by their square only, which is nothing unless the coupling is tiny.
-  void multiply_next(Eigen::Index position)
+  void multiply_next()
   {
     constexpr double smallest_coupling = 1e-6;
     m_options.report_progress(m_progress);
     const Eigen::Index p = m_processed;
+    CGAL_precondition(number_of_pending_blocks() > 0);
+    CGAL_assertion(m_projected.rows() == width * m_basis.size());
     Row_block w = m_basis.new_block(m_operator.rows());
     multiply(p, w);
     Block_coefficients rest = Block_coefficients::identity();
@@ -193,8 +197,8 @@ private:
       rest = orthonormalize(w) * rest;
     m_is_loose = is_loose;
     ++m_processed;
-    insert(position, std::move(w));
-    set_coefficients(position, p, rest);
+    insert(m_basis.size(), std::move(w));
+    set_coefficients(m_basis.size() - 1, p, rest);
   }
 
   // `w = A V_p`, without what is in the blocks that T tells about and in the pending ones, whose
@@ -346,6 +350,7 @@ private:
   void compute_Ritz_pairs()
   {
     const Eigen::Index size = width * m_processed;
+    CGAL_precondition(m_processed > 0);
     const internal::Symmetric_eigenpairs pairs =
         internal::symmetric_eigenpairs(m_projected.topLeftCorner(size, size));
     if (!pairs.have_converged)
@@ -414,6 +419,7 @@ private:
   // sqrt(n)` with a probability of 1e-11.
   bool is_complete(Eigen::Index number)
   {
+    CGAL_precondition(0 < number && number <= number_converged());
     constexpr double coincidence = 1e-6;
     const double smallest = m_Ritz_values[number - 1];
     double suspect = 0; // the smallest eigenvalue of which there may be more
@@ -440,7 +446,7 @@ private:
     for (int degree = 0;; ++degree) {
       const Eigen::Index pending = number_of_pending_blocks();
       for (Eigen::Index i = 0; i < pending; ++i)
-        multiply_next(m_basis.size());
+        multiply_next();
       const Eigen::VectorXd eigenvalues = eigenvalues_from(0);
       const bool is_missing = eigenvalues[eigenvalues.size() - 1 - number_known] >= least;
       next = (std::min)((std::max)(next, eigenvalues_from(width * begin).maxCoeff()), least);

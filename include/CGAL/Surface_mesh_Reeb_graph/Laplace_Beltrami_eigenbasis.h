@@ -86,6 +86,9 @@ memory, and distances over the whole mesh take less time. All is computed in `do
 and only the eigenfunctions are rounded in the end, each value by a relative error of `6e-8` at
 most; distances get an error of about `1e-7` times the largest one.
 
+<b>Example.</b>
+\cgalExample{Surface_mesh_Reeb_graph/eigenbasis.cpp}
+
 \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 \tparam Eigensolver a model of `LaplaceBeltramiEigensolver`; by default `Block_Lanczos_eigensolver`
 \tparam EigenfunctionNumber the number type that the eigenfunctions are kept in: `double` (the

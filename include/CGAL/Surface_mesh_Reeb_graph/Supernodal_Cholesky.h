@@ -21,7 +21,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -82,6 +81,9 @@ solutions are zero.
 <b>Complexity.</b> As the number of entries of the factor, *O(n log n)* for a surface mesh with *n*
 vertices and a good ordering, in memory and for every solution; as *O(n^1.5)* for the factorization.
 Solutions for 8 right-hand sides read the factor once and take little longer than for one.
+
+<b>Example.</b>
+\cgalExample{Surface_mesh_Reeb_graph/sparse_linear_system.cpp}
 
 \tparam MatrixType_ an instance of `Eigen::SparseMatrix` with `float` or `double` as number type and
         a signed index type
@@ -345,7 +347,7 @@ private:
   struct Update
   {
     Index supernode;
-    const Scalar* triangle; // columns of the lower triangle, one after the other
+    Scalar* triangle; // columns of the lower triangle, one after the other
   };
 
   // What the work on all fronts shares, so that none of them allocates memory.
@@ -385,8 +387,9 @@ private:
       if (!add_matrix(a, s, work.row_in_front, panel))
         return Eigen::InvalidInput;
       for (StorageIndex c = 0; c < m_structure.number_of_children(s); ++c) {
+        CGAL_assertion(!work.updates.empty());
         add_update(s, work, panel, square);
-        top = const_cast<Scalar*>(work.updates.back().triangle);
+        top = work.updates.back().triangle;
         work.updates.pop_back();
       }
       if (!front.eliminate(panel, width + below, width))
@@ -396,6 +399,7 @@ private:
         work.updates.push_back({s, top});
         for (Index j = 0; j < below; ++j)
           top = std::copy_n(square + j + j * below, below - j, top);
+        CGAL_assertion(top <= work.stack.data() + work.stack.size());
       }
     }
     return Eigen::Success;
@@ -445,8 +449,11 @@ private:
     const Index size = m_structure.number_of_rows_below(child);
     const StorageIndex* const rows = m_structure.rows_below(child);
     StorageIndex* const row = work.row_in_parent.data();
-    for (Index i = 0; i < size; ++i)
+    for (Index i = 0; i < size; ++i) {
       row[i] = work.row_in_front[static_cast<std::size_t>(rows[i])];
+      // the parent has all rows of its children, in the same order
+      CGAL_assertion(row[i] < width + below && (i == 0 || row[i - 1] < row[i]));
+    }
     for (Index j = 0; j < size; ++j) {
       Scalar* const to = row[j] < width ? panel + row[j] * (width + below)
                                         : square + (row[j] - width) * below - width;

@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/Rank_update.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/Register_vector.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -38,6 +40,7 @@ public:
   // and finite.
   bool eliminate(Scalar* panel, const Index rows, const Index width)
   {
+    CGAL_precondition(0 < width && width <= rows);
     constexpr Index block_width = 48;
     for (Index j = 0; j < width; j += block_width) {
       const Index end = (std::min)(j + block_width, width);
@@ -54,6 +57,7 @@ public:
   void subtract_square(
       const Scalar* panel, const Index rows, const Index width, Scalar* update, const Index below)
   {
+    CGAL_precondition(0 < width && width + below <= rows);
     constexpr Index large_below = 48, large_width = 8;
     const Scalar* b = panel + (rows - below);
     if (below >= large_below && width >= large_width) {

@@ -81,8 +81,14 @@ private:
     if constexpr (has_kernels) {
       run_kernel<Substitute_forward<Scalar, Number>>(
           column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
-      return;
+    } else {
+      forward_columns_by_rows<Number>(j, x_j, y);
     }
+  }
+
+  template <int Number>
+  void forward_columns_by_rows(const Index j, Scalar* x_j, Scalar* y) const
+  {
     for (int k = 0; k < Number; ++k) {
       const Scalar* const l = column(j + k) + j;
       Row row = Row::load(x_j + k * Columns);
@@ -103,7 +109,7 @@ private:
   template <int Number>
   void subtract(const Scalar* l, const Index rows, const Scalar* x, Scalar* to) const
   {
-    if (Columns == 1) {
+    if constexpr (Columns == 1) {
       using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
       Eigen::Map<Vector> result(to, rows);
       const auto term = [&](const int k) {
@@ -139,8 +145,14 @@ private:
     if constexpr (has_kernels) {
       run_kernel<Substitute_backward<Scalar, Number>>(
           column(j) + j, m_rows, m_width - j - Number, m_below, x_j, y);
-      return;
+    } else {
+      backward_columns_by_rows<Number>(j, x_j, y);
     }
+  }
+
+  template <int Number>
+  void backward_columns_by_rows(const Index j, Scalar* x_j, const Scalar* y) const
+  {
     const Scalar* const l = column(j);
     subtract_transposed<Number>(l + m_width, m_below, y, x_j);
     subtract_transposed<Number>(l + j + Number, m_width - j - Number, x_j + Number * Columns, x_j);
@@ -159,7 +171,7 @@ private:
   template <int Number>
   void subtract_transposed(const Scalar* l, const Index rows, const Scalar* y, Scalar* to) const
   {
-    if (Columns == 1) {
+    if constexpr (Columns == 1) {
       using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
       const Eigen::Map<const Vector> rhs(y, rows);
       for (int k = 0; k < Number; ++k)

@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/panel_kernels.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -38,6 +40,7 @@ public:
                 Scalar* c,
                 const Index c_stride)
   {
+    CGAL_precondition(rows >= columns && stride >= rows && c_stride >= rows);
     for (Index k = 0; k < depth; k += largest_depth)
       subtract_part(
           a + k * stride, stride, rows, columns, (std::min)(largest_depth, depth - k), c, c_stride);

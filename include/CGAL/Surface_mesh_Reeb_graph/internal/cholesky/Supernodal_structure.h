@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CHOLESKY_SUPERNODAL_STRUCTURE_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CHOLESKY_SUPERNODAL_STRUCTURE_H
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -45,6 +47,8 @@ public:
   Supernodal_structure(const Pattern& pattern, std::vector<StorageIndex> position)
     : m_position(std::move(position))
   {
+    CGAL_precondition(pattern.rows() == pattern.cols());
+    CGAL_precondition(pattern.cols() == static_cast<Index>(m_position.size()));
     Tree tree = elimination_tree(pattern);
     renumber(tree, postorder(tree));
     const std::vector<StorageIndex> counts = column_counts(pattern, tree);
@@ -83,9 +87,8 @@ public:
     return result;
   }
 
-  // The largest number of rows below, and of all rows, of a supernode.
+  // The largest number of rows below a supernode.
   Index largest_number_of_rows_below() const { return m_largest_below; }
-  Index largest_number_of_rows() const { return m_largest_front; }
 
   // The largest size of the stack of triangles, one per front that waits for its parent.
   Index stack_size() const { return m_stack_size; }
@@ -104,11 +107,13 @@ private:
   template <class T>
   static const T& at(const std::vector<T>& v, const Index i)
   {
+    CGAL_assertion(0 <= i && i < static_cast<Index>(v.size()));
     return v[static_cast<std::size_t>(i)];
   }
   template <class T>
   static T& at(std::vector<T>& v, const Index i)
   {
+    CGAL_assertion(0 <= i && i < static_cast<Index>(v.size()));
     return v[static_cast<std::size_t>(i)];
   }
 
@@ -270,95 +275,136 @@ private:
            share < 0.05;
   }
 
+  // Supernodes in the making, which have neither their final columns nor their rows.
+  struct Supernodes
+  {
+    std::vector<StorageIndex> of_column; // the supernode of every column
+    std::vector<Index> width, below;     // numbers of columns, and of rows below them
+    Tree parent;
+
+    Index number() const { return static_cast<Index>(width.size()); }
+  };
+
   void form_supernodes(const Tree& tree, const std::vector<StorageIndex>& counts)
   {
-    // supernodes without zeros
-    std::vector<StorageIndex> supernode(m_position.size());
-    std::vector<Index> width, below;
+    Supernodes supernodes = fundamental_supernodes(tree, counts);
+    supernodes = without_merged(supernodes, merge_small(supernodes));
+    const std::vector<StorageIndex> order =
+        postorder(supernodes.parent, children_for_small_stack(supernodes.parent, supernodes.below));
+    lay_out(supernodes, order);
+    renumber_columns(supernodes, order);
+  }
+
+  // The largest ranges of columns that have the same rows below: no zero is stored.
+  Supernodes fundamental_supernodes(const Tree& tree, const std::vector<StorageIndex>& counts) const
+  {
+    Supernodes result;
+    result.of_column.resize(m_position.size());
     for (StorageIndex j = 0; j < size_of_matrix(); ++j) {
       if (j > 0 && at(tree, j - 1) == j && at(counts, j - 1) == at(counts, j) + 1)
-        ++width.back();
+        ++result.width.back();
       else {
-        width.push_back(1);
-        below.push_back(0);
+        result.width.push_back(1);
+        result.below.push_back(0);
       }
-      below.back() = at(counts, j) - 1;
-      at(supernode, j) = static_cast<StorageIndex>(width.size() - 1);
+      result.below.back() = at(counts, j) - 1;
+      at(result.of_column, j) = static_cast<StorageIndex>(result.number() - 1);
     }
-    const Index number = static_cast<Index>(width.size());
-    Tree parent(width.size(), none);
+    result.parent.assign(result.width.size(), none);
     for (StorageIndex j = 0; j < size_of_matrix(); ++j)
-      if (at(tree, j) != none && at(supernode, at(tree, j)) != at(supernode, j))
-        at(parent, at(supernode, j)) = at(supernode, at(tree, j));
+      if (at(tree, j) != none && at(result.of_column, at(tree, j)) != at(result.of_column, j))
+        at(result.parent, at(result.of_column, j)) = at(result.of_column, at(tree, j));
+    return result;
+  }
 
-    // Merging of children, the last ones first: those often are the largest.
+  // Widens supernodes by children that are worth merging, the last ones first: those often are the
+  // largest. Returns the supernode that every one becomes a part of, `none` for those that remain.
+  static std::vector<StorageIndex> merge_small(Supernodes& supernodes)
+  {
+    const Index number = supernodes.number();
+    std::vector<Index>&width = supernodes.width, &below = supernodes.below;
     std::vector<StorageIndex> merged_into(width.size(), none);
-    {
-      std::vector<Index> zeros(width.size(), 0);
-      Children children{Tree(width.size(), none)};
-      for (Index s = 0; s < number; ++s)
-        if (at(parent, s) != none)
-          children.add(static_cast<StorageIndex>(s), at(parent, s));
-      for (Index s = 0; s < number; ++s)
-        for (StorageIndex c = at(children.first, s); c != none; c = at(children.next, c)) {
-          const Index sum = at(zeros, s) + at(zeros, c) +
-                            at(width, c) * (at(width, s) + at(below, s) - at(below, c));
-          if (is_worth_merging(sum, at(width, c) + at(width, s), at(below, s))) {
-            at(merged_into, c) = static_cast<StorageIndex>(s);
-            at(width, s) += at(width, c);
-            at(zeros, s) = sum;
-          }
+    std::vector<Index> zeros(width.size(), 0);
+    Children children{Tree(width.size(), none)};
+    for (Index s = 0; s < number; ++s)
+      if (at(supernodes.parent, s) != none)
+        children.add(static_cast<StorageIndex>(s), at(supernodes.parent, s));
+    for (Index s = 0; s < number; ++s)
+      for (StorageIndex c = at(children.first, s); c != none; c = at(children.next, c)) {
+        const Index sum = at(zeros, s) + at(zeros, c) +
+                          at(width, c) * (at(width, s) + at(below, s) - at(below, c));
+        if (is_worth_merging(sum, at(width, c) + at(width, s), at(below, s))) {
+          at(merged_into, c) = static_cast<StorageIndex>(s);
+          at(width, s) += at(width, c);
+          at(zeros, s) = sum;
         }
-    }
+      }
+    // parents come after their children: from the last one on, what they are a part of is final
     for (Index s = number - 1; s >= 0; --s)
       if (at(merged_into, s) != none && at(merged_into, at(merged_into, s)) != none)
         at(merged_into, s) = at(merged_into, at(merged_into, s));
+    return merged_into;
+  }
 
-    // number those that remain
-    std::vector<StorageIndex> remaining(width.size(), none);
-    StorageIndex number_remaining = 0;
+  // The supernodes that were not merged into others, numbered anew.
+  static Supernodes
+  without_merged(const Supernodes& supernodes, const std::vector<StorageIndex>& merged_into)
+  {
+    const Index number = supernodes.number();
+    Supernodes result;
+    std::vector<StorageIndex> remaining(merged_into.size(), none); // the new number of every one
     for (Index s = 0; s < number; ++s)
-      if (at(merged_into, s) == none)
-        at(remaining, s) = number_remaining++;
+      if (at(merged_into, s) == none) {
+        at(remaining, s) = static_cast<StorageIndex>(result.number());
+        result.width.push_back(at(supernodes.width, s));
+        result.below.push_back(at(supernodes.below, s));
+      }
     for (Index s = 0; s < number; ++s)
       if (at(merged_into, s) != none)
         at(remaining, s) = at(remaining, at(merged_into, s));
-    Tree remaining_tree(static_cast<std::size_t>(number_remaining), none);
+    result.parent.assign(result.width.size(), none);
     for (Index s = 0; s < number; ++s)
-      if (at(merged_into, s) == none) {
-        const StorageIndex r = at(remaining, s);
-        at(below, r) = at(below, s);
-        at(width, r) = at(width, s);
-        if (at(parent, s) != none)
-          at(remaining_tree, r) = at(remaining, at(parent, s));
-      }
-    const std::vector<StorageIndex> order =
-        postorder(remaining_tree, children_for_small_stack(remaining_tree, below));
+      if (at(merged_into, s) == none && at(supernodes.parent, s) != none)
+        at(result.parent, at(remaining, s)) = at(remaining, at(supernodes.parent, s));
+    result.of_column.reserve(supernodes.of_column.size());
+    for (const StorageIndex s : supernodes.of_column)
+      result.of_column.push_back(at(remaining, s));
+    return result;
+  }
 
-    // columns in the order of the supernodes, and within one as they were
-    m_number_of_children.assign(static_cast<std::size_t>(number_remaining), 0);
-    m_first_column.assign(static_cast<std::size_t>(number_remaining) + 1, 0);
-    m_rows_begin.assign(static_cast<std::size_t>(number_remaining) + 1, 0);
-    m_offset.assign(static_cast<std::size_t>(number_remaining) + 1, 0);
-    for (Index r = 0; r < number_remaining; ++r) {
+  // Where the columns, the rows and the numbers of every supernode begin, in their final order.
+  void lay_out(const Supernodes& supernodes, const std::vector<StorageIndex>& order)
+  {
+    const Index number = supernodes.number();
+    m_number_of_children.assign(static_cast<std::size_t>(number), 0);
+    m_first_column.assign(static_cast<std::size_t>(number) + 1, 0);
+    m_rows_begin.assign(static_cast<std::size_t>(number) + 1, 0);
+    m_offset.assign(static_cast<std::size_t>(number) + 1, 0);
+    for (Index r = 0; r < number; ++r) {
       const StorageIndex s = at(order, r);
-      at(m_first_column, s + 1) = static_cast<StorageIndex>(at(width, r));
-      at(m_rows_begin, s + 1) = at(below, r);
-      at(m_offset, s + 1) = at(width, r) * (at(width, r) + at(below, r));
-      if (at(remaining_tree, r) != none)
-        ++at(m_number_of_children, at(order, at(remaining_tree, r)));
-      m_largest_below = (std::max)(m_largest_below, at(below, r));
-      m_largest_front = (std::max)(m_largest_front, at(width, r) + at(below, r));
+      const Index width = at(supernodes.width, r), below = at(supernodes.below, r);
+      at(m_first_column, s + 1) = static_cast<StorageIndex>(width);
+      at(m_rows_begin, s + 1) = below;
+      at(m_offset, s + 1) = width * (width + below);
+      if (at(supernodes.parent, r) != none)
+        ++at(m_number_of_children, at(order, at(supernodes.parent, r)));
+      m_largest_below = (std::max)(m_largest_below, below);
     }
-    for (Index s = 0; s < number_remaining; ++s) {
+    for (Index s = 0; s < number; ++s) {
       at(m_first_column, s + 1) += at(m_first_column, s);
       at(m_rows_begin, s + 1) += at(m_rows_begin, s);
       at(m_offset, s + 1) += at(m_offset, s);
     }
+    CGAL_postcondition(m_first_column.back() == size_of_matrix());
+  }
+
+  // Columns in the order of the supernodes, and within one as they were.
+  void renumber_columns(const Supernodes& supernodes, const std::vector<StorageIndex>& order)
+  {
     std::vector<StorageIndex> next_column = m_first_column;
     std::vector<StorageIndex> column(m_position.size());
     for (StorageIndex j = 0; j < size_of_matrix(); ++j)
-      at(column, j) = at(next_column, at(order, at(remaining, at(supernode, j))))++;
+      at(column, j) = at(next_column, at(order, at(supernodes.of_column, j)))++;
     for (StorageIndex& p : m_position)
       p = at(column, p);
   }
@@ -415,6 +461,7 @@ private:
         std::for_each(rows_below(waiting.back()),
                       rows_below(waiting.back()) + number_of_rows_below(waiting.back()),
                       add);
+      CGAL_assertion(end == m_rows.data() + at(m_rows_begin, s + 1)); // as counted
       std::sort(m_rows.data() + at(m_rows_begin, s), end);
       if (number_of_rows_below(s) > 0)
         waiting.push_back(s);
@@ -428,7 +475,6 @@ private:
   std::vector<StorageIndex> m_number_of_children;
   std::vector<Index> m_offset;
   Index m_largest_below = 0;
-  Index m_largest_front = 0;
   Index m_stack_size = 0;
 };
 

@@ -11,8 +11,9 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_DEFAULT_SOLVER_TRAITS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Supernodal_Cholesky.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Direct_solver_traits.h>
 
-#include <CGAL/Eigen_solver_traits.h>
+#include <Eigen/SparseCore>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -20,7 +21,7 @@ namespace internal {
 
 // The direct solver that is used if the user chooses none; it is named here only.
 using Default_solver_traits =
-    CGAL::Eigen_solver_traits<Supernodal_Cholesky<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
+    Direct_solver_traits<Supernodal_Cholesky<Eigen::SparseMatrix<double>>>;
 
 } // namespace internal
 } // namespace Surface_mesh_Reeb_graph

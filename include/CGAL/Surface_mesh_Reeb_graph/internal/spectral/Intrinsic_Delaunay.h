@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Intrinsic_triangle.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Intrinsic_triangulation.h>
 
+#include <CGAL/assertions.h>
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -40,7 +42,9 @@ public:
   // `glued` as made by `glued_sides()`; both are changed in place by `flip_all()`.
   Intrinsic_Delaunay(Intrinsic_triangulation& triangulation, std::vector<Triangle_side>& glued)
     : m_triangulation(triangulation), m_glued(glued)
-  {}
+  {
+    CGAL_precondition(glued.size() == 3 * triangulation.triangles.size());
+  }
 
   // Flips edges until none is left to flip; returns the number of flips.
   std::size_t flip_all()
@@ -90,6 +94,8 @@ private:
   bool flip(Triangle_side side)
   {
     const Triangle_side other = m_glued[side];
+    CGAL_precondition(other != no_triangle_side);
+    CGAL_assertion(m_glued[other] == side && length(other) == length(side));
     // A triangle that is glued to itself has equal angles at the edge: it is Delaunay.
     if (side / 3 == other / 3)
       return false;

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Mesh_components.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
@@ -78,6 +79,7 @@ Intrinsic_triangulation intrinsic_triangulation(const TriangleMesh& tmesh,
     int i = 0;
     // the halfedge that starts at corner i + 1 is opposite to corner i
     for (auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
+      CGAL_precondition(i < 3);
       triangle.corners[(i + 2) % 3] = components.position_of(source(h, tmesh));
       triangle.lengths[(i + 1) % 3] = distance(source(h, tmesh), target(h, tmesh));
       sum_of_lengths += triangle.lengths[(i + 1) % 3];

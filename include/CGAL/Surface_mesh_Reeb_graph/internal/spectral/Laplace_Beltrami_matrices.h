@@ -16,8 +16,10 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Intrinsic_triangulation.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/huge_pages.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,8 +72,10 @@ public:
 
   void add_edge(std::uint32_t u, std::uint32_t v, double weight)
   {
+    CGAL_precondition(u < m_end.size() && v < m_end.size());
     if (u == v)
       return; // functions do not differ between the ends of such an edge
+    CGAL_assertion(m_end[u] < m_begin[u + 1] && m_end[v] < m_begin[v + 1]); // as counted
     m_entries[m_end[u]++] = {v, -weight};
     m_entries[m_end[v]++] = {u, -weight};
     m_diagonal[u] += weight;
@@ -150,6 +154,7 @@ assemble_Laplace_Beltrami_matrices(const TriangleMesh& tmesh,
                                    std::size_t component_number,
                                    bool use_intrinsic_Delaunay = false)
 {
+  CGAL_precondition(component_number < components.size());
   Intrinsic_triangulation triangulation =
       intrinsic_triangulation(tmesh, vertex_point_map, components, component_number);
   if (use_intrinsic_Delaunay && !triangulation.triangles.empty()) {

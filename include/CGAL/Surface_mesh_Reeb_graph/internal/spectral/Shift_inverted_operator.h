@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/block_kernels.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/symmetric_eigenpairs.h>
 
-#include <CGAL/Eigen_matrix.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
@@ -70,6 +69,21 @@ struct Solves_permuted<
 {
 };
 
+// Whether a type is `CGAL::Eigen_sparse_matrix`, or another one that can be made from a matrix of
+// Eigen. It never gives back the memory of the entries that it is made from one by one.
+template <class Matrix, class = void>
+struct Is_CGAL_Eigen_matrix : std::false_type
+{
+};
+template <class Matrix>
+struct Is_CGAL_Eigen_matrix<
+    Matrix,
+    std::void_t<decltype(Matrix(std::declval<const Eigen::SparseMatrix<double>&>())),
+                decltype(std::declval<Matrix&>().swap(std::declval<Matrix&>())),
+                decltype(std::declval<Matrix&>().add_coef(0, 0, 0.))>> : std::true_type
+{
+};
+
 // `A = M^1/2 (L + sigma M)^-1 M^1/2`. Its eigenvalues are `nu = 1 / (lambda + sigma)` for those of
 // `L psi = lambda M psi`, and infinitely large lambda (nu = 0) for vertices without mass.
 //
@@ -87,14 +101,18 @@ public:
                           double shift)
     : m_sqrt_mass(mass.cwiseSqrt())
     , m_shift(shift)
-    , m_shifted(static_cast<int>(rows()))
+    , m_shifted(make_matrix(rows()))
     , m_right_hand_side(static_cast<int>(rows()))
     , m_solution(static_cast<int>(rows()))
   {
     CGAL_precondition(stiffness.rows() == rows() && stiffness.cols() == rows());
     CGAL_precondition(shift > 0);
-    // CGAL's matrix never gives back the memory of the entries that it is made from one by one.
-    if constexpr (std::is_same_v<Matrix, CGAL::Eigen_sparse_matrix<double>>) {
+    // A copy of Eigen's matrix takes less memory than one that is made entry by entry.
+    if constexpr (std::is_same_v<Matrix, Eigen::SparseMatrix<double>>) {
+      m_shifted = stiffness;
+      for (Eigen::Index i = 0; i < rows(); ++i)
+        m_shifted.coeffRef(i, i) += shift * mass[i];
+    } else if constexpr (Is_CGAL_Eigen_matrix<Matrix>::value) {
       Matrix(stiffness).swap(m_shifted);
       for (Eigen::Index i = 0; i < rows(); ++i)
         m_shifted.add_coef(i, i, shift * mass[i]);
@@ -224,6 +242,14 @@ private:
           block(i, j) = columns(i, begin + j);
       f(begin, width, block);
     }
+  }
+
+  static Matrix make_matrix(Eigen::Index n)
+  {
+    if constexpr (std::is_same_v<Matrix, Eigen::SparseMatrix<double>>)
+      return Matrix(n, n);
+    else
+      return Matrix(static_cast<int>(n));
   }
 
   // The row of a vertex in the order of the operator.

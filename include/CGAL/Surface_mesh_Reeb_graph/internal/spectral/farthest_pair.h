@@ -85,7 +85,7 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
 
   // Those that are farthest from the middle come first: an end of the pair is likely among them.
   constexpr Eigen::Index block_size = 512;
-  Eigen::ArrayXd block(block_size);
+  Eigen::VectorXd block(block_size);
   Eigen::Index budget = 500000000 / dimension;
   Eigen::Index end = number_of_candidates; // before it are those that may be far enough from i
   for (Eigen::Index i = 0; i < number_of_candidates && budget > 0; ++i) {

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SPECTRAL_ROW_DISTANCES_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/vector_kernels.h>
 
 #include <CGAL/assertions.h>
 
@@ -68,7 +69,8 @@ inline Eigen::VectorXd commute_time_factors(const Eigen::VectorXd& eigenvalues)
 // How many of the decreasing factors are more than `negligible`.
 inline Eigen::Index number_of_factors_above(const Eigen::VectorXd& factors, double negligible)
 {
-  return (factors.array() > negligible).count();
+  return std::count_if(
+      factors.data(), factors.data() + factors.size(), [=](double x) { return x > negligible; });
 }
 
 // The functions below read the matrix once, in blocks of rows that stay in the cache, at about the
@@ -88,6 +90,39 @@ Eigen::VectorXd row_of(const Columns<Number>& columns, Eigen::Index i)
   return result;
 }
 
+// `sums[r] += sum_k (factors[k] (column_k[r] - point[k]))^2` for some columns side by side, so that
+// the sums are not fetched and stored for every one.
+template <class Number, int columns>
+struct Add_squared_differences
+{
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void run(const Number* first_column,
+                                                             Eigen::Index stride,
+                                                             const double* factors,
+                                                             const double* point,
+                                                             Eigen::Index rows,
+                                                             double* sums)
+  {
+    Eigen::Index r = 0;
+    for (; r + width <= rows; r += width) {
+      Vector<double, width> sum, x;
+      load(sum, sums + r);
+      CGAL_SURFACE_MESH_REEB_GRAPH_UNROLL
+      for (int k = 0; k < columns; ++k) {
+        load_converted<width>(x, first_column + k * stride + r);
+        x = factors[k] * (x - point[k]);
+        sum += x * x;
+      }
+      store(sum, sums + r);
+    }
+    for (; r < rows; ++r)
+      for (int k = 0; k < columns; ++k) {
+        const double x = factors[k] * (double(first_column[k * stride + r]) - point[k]);
+        sums[r] += x * x;
+      }
+  }
+};
+
 // Writes the squared distances of the rows from `begin` on to a point, one per entry of `result`.
 // The point consists of numbers of the matrix, not yet multiplied with the factors.
 template <class Number>
@@ -95,23 +130,25 @@ void write_squared_distances(const Columns<Number>& columns,
                              const Eigen::VectorXd& factors,
                              const Eigen::VectorXd& point,
                              Eigen::Index begin,
-                             Eigen::Ref<Eigen::ArrayXd> result)
+                             Eigen::Ref<Eigen::VectorXd> result)
 {
   CGAL_precondition(columns.cols() == factors.size() && point.size() == factors.size());
   CGAL_precondition(0 <= begin && begin + result.size() <= columns.rows());
-  const auto squares = [&](Eigen::Index i) {
-    return (factors[i] *
-            (columns.col(i).segment(begin, result.size()).array().template cast<double>() -
-             point[i]))
-        .square();
-  };
-  // Some columns at once, so that the sums are not fetched and stored for every one.
+  constexpr int side_by_side = 4;
   result.setZero();
-  Eigen::Index i = 0;
-  for (; i + 4 <= factors.size(); i += 4)
-    result += (squares(i) + squares(i + 1)) + (squares(i + 2) + squares(i + 3));
-  for (; i < factors.size(); ++i)
-    result += squares(i);
+  Eigen::Index k = 0;
+  const auto add = [&](auto kernel) {
+    run_kernel<decltype(kernel)>(columns.data() + k * columns.outerStride() + begin,
+                                 columns.outerStride(),
+                                 factors.data() + k,
+                                 point.data() + k,
+                                 result.size(),
+                                 result.data());
+  };
+  for (; k + side_by_side <= factors.size(); k += side_by_side)
+    add(Add_squared_differences<Number, side_by_side>());
+  for (; k < factors.size(); ++k)
+    add(Add_squared_differences<Number, 1>());
 }
 
 template <class Number>
@@ -125,8 +162,7 @@ Eigen::VectorXd squared_distances(const Columns<Number>& columns,
   Eigen::VectorXd result(columns.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
     const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
-    write_squared_distances<Number>(
-        columns, factors, point, begin, result.segment(begin, size).array());
+    write_squared_distances<Number>(columns, factors, point, begin, result.segment(begin, size));
   }
   return result;
 }

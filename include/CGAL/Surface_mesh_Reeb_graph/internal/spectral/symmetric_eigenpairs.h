@@ -12,10 +12,17 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/vector_kernels.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <CGAL/assertions.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -33,9 +40,9 @@ struct Symmetric_eigenpairs
 // of reflections `I - 2 v v^T` (Householder 1958; Golub and Van Loan, "Matrix computations",
 // Section 8.3).
 //
-// Eigen has the same, with blocks of reflections that are multiplied by its products of matrices.
-// The matrices here have some hundred rows, where that gains nothing, and instantiating it took
-// compilers a third of their time for the eigensolver.
+// Eigen has the same, and all below, with blocks of reflections that are multiplied by its products
+// of matrices. The matrices here have some hundred rows, where that gains nothing, and instantiating
+// it took compilers a third of their time for the eigensolver.
 class Tridiagonalization
 {
 public:
@@ -102,27 +109,143 @@ private:
   Eigen::VectorXd m_diagonal, m_subdiagonal;
 };
 
+// A rotation in the plane of two columns: `x = c x - s y`, `y = s x + c y`.
+struct Rotate_columns
+{
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
+  run(double* x, double* y, Eigen::Index size, double c, double s)
+  {
+    Eigen::Index i = 0;
+    for (; i + width <= size; i += width) {
+      Vector<double, width> v, w, rotated;
+      load(v, x + i);
+      load(w, y + i);
+      rotated = c * v - s * w;
+      store(rotated, x + i);
+      rotated = s * v + c * w;
+      store(rotated, y + i);
+    }
+    for (; i < size; ++i) {
+      const double v = x[i], w = y[i];
+      x[i] = c * v - s * w;
+      y[i] = s * v + c * w;
+    }
+  }
+};
+
+// Makes the symmetric tridiagonal matrix with the diagonal d and the subdiagonal e diagonal by
+// implicit QR steps with Wilkinson's shift (Golub and Van Loan, Section 8.3), and multiplies the
+// columns of z by the rotations, if there are any. Returns whether that came to an end.
+class Tridiagonal_QR_iteration
+{
+public:
+  Tridiagonal_QR_iteration(Eigen::VectorXd& d, Eigen::VectorXd& e, Eigen::MatrixXd& z)
+    : m_d(d), m_e(e), m_z(z)
+  {}
+
+  CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE bool run()
+  {
+    constexpr Eigen::Index max_steps_per_row = 30;
+    Eigen::Index end = m_d.size() - 1, steps = 0;
+    while (end > 0) {
+      neglect_small_entries(end);
+      while (end > 0 && m_e[end - 1] == 0)
+        --end;
+      if (end <= 0)
+        break;
+      if (++steps > max_steps_per_row * m_d.size())
+        return false;
+      Eigen::Index begin = end - 1;
+      while (begin > 0 && m_e[begin - 1] != 0)
+        --begin;
+      step(begin, end);
+    }
+    return m_d.allFinite();
+  }
+
+private:
+  // Of a matrix whose largest entry is 1.
+  void neglect_small_entries(Eigen::Index end)
+  {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    for (Eigen::Index i = 0; i < end; ++i)
+      if (std::abs(m_e[i]) <= epsilon * std::sqrt(std::abs(m_d[i]) + std::abs(m_d[i + 1])) ||
+          std::abs(m_e[i]) < (std::numeric_limits<double>::min)())
+        m_e[i] = 0;
+  }
+
+  double shift(Eigen::Index end) const
+  {
+    const double half = (m_d[end - 1] - m_d[end]) / 2, e = m_e[end - 1];
+    const double length = std::hypot(half, e);
+    return m_d[end] - e / ((half + (half > 0 ? length : -length)) / e);
+  }
+
+  void step(Eigen::Index begin, Eigen::Index end)
+  {
+    double x = m_d[begin] - shift(end), bulge = m_e[begin];
+    for (Eigen::Index k = begin; k < end && bulge != 0; ++k) {
+      // the rotation that takes (x, bulge) to the first axis
+      const double length = std::hypot(x, bulge), c = x / length, s = -bulge / length;
+      if (k > begin)
+        m_e[k - 1] = length;
+      const double p = m_d[k], q = m_e[k], r = m_d[k + 1];
+      m_d[k] = c * (c * p - s * q) - s * (c * q - s * r);
+      m_d[k + 1] = s * (s * p + c * q) + c * (s * q + c * r);
+      m_e[k] = c * (s * p + c * q) - s * (s * q + c * r);
+      x = m_e[k];
+      if (k + 1 < end) {
+        bulge = -s * m_e[k + 1];
+        m_e[k + 1] *= c;
+      }
+      if (m_z.cols() > 0)
+        run_kernel<Rotate_columns>(
+            m_z.data() + k * m_z.rows(), m_z.data() + (k + 1) * m_z.rows(), m_z.rows(), c, s);
+    }
+  }
+
+  Eigen::VectorXd& m_d;
+  Eigen::VectorXd& m_e;
+  Eigen::MatrixXd& m_z;
+};
+
 // Of `a` the lower triangle counts.
 CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline Symmetric_eigenpairs
 symmetric_eigenpairs(Eigen::MatrixXd a, bool with_vectors = true)
 {
-  Symmetric_eigenpairs result;
-  // so that no square is out of range
-  const double largest = a.size() == 0 ? 0 : a.cwiseAbs().maxCoeff(),
-               scale = largest > 0 ? largest : 1;
-  a /= scale;
+  CGAL_precondition(a.rows() == a.cols());
+  const Eigen::Index n = a.rows();
+  double scale = 0;
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = j; i < n; ++i)
+      scale = (std::max)(scale, std::abs(a(i, j)));
+  if (scale > 0)
+    a /= scale; // no square is out of range then
   const Tridiagonalization tridiagonalization(std::move(a));
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(tridiagonalization.diagonal(),
-                                tridiagonalization.subdiagonal(),
-                                with_vectors ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
-  result.have_converged = solver.info() == Eigen::Success;
+  Eigen::VectorXd d = tridiagonalization.diagonal(), e = tridiagonalization.subdiagonal();
+  Eigen::MatrixXd z;
+  if (with_vectors)
+    z = Eigen::MatrixXd::Identity(n, n);
+  Symmetric_eigenpairs result;
+  result.have_converged = Tridiagonal_QR_iteration(d, e, z).run();
   if (!result.have_converged)
     return result;
-  result.values = scale * solver.eigenvalues();
-  if (with_vectors) {
-    result.vectors = solver.eigenvectors();
-    tridiagonalization.apply(result.vectors);
+  if (with_vectors)
+    tridiagonalization.apply(z);
+
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Eigen::Index(0));
+  std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
+    return d[i] < d[j] || (d[i] == d[j] && i < j);
+  });
+  result.values.resize(n);
+  result.vectors.resize(n, with_vectors ? n : 0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = order[static_cast<std::size_t>(i)];
+    result.values[i] = scale * d[from];
+    if (with_vectors)
+      result.vectors.col(i) = z.col(from);
   }
   return result;
 }

@@ -10,6 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_VECTOR_KERNELS_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_VECTOR_KERNELS_H
 
+#include <Eigen/Core>
+
 #include <cstring>
 
 // Kernels are written once, with vectors of `width` numbers, as static functions `run()` of a class:
@@ -27,8 +29,8 @@
 // which some systems do not have, and which tools that instrument a program do not like.
 //
 // Both versions are templates or inline functions, none of them is inlined into its caller, and the
-// version without AVX2 is the only one for other processors: where the compiler has no vector
-// extension, vectors are arrays that it vectorizes as it can.
+// version without AVX2 is the only one for other processors. Where the compiler has no vectors of its
+// own, those of Eigen take their place.
 
 #if defined(__GNUC__)
 #define CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE __attribute__((always_inline)) inline
@@ -58,29 +60,7 @@ template <class Scalar, int width>
 using Vector = typename Vector_type<Scalar, width>::type;
 #else
 template <class Scalar, int width>
-struct Vector
-{
-  Scalar x[width];
-
-  friend Vector operator*(Scalar factor, Vector v)
-  {
-    for (int i = 0; i < width; ++i)
-      v.x[i] *= factor;
-    return v;
-  }
-  Vector& operator+=(const Vector& v)
-  {
-    for (int i = 0; i < width; ++i)
-      x[i] += v.x[i];
-    return *this;
-  }
-  Vector& operator-=(const Vector& v)
-  {
-    for (int i = 0; i < width; ++i)
-      x[i] -= v.x[i];
-    return *this;
-  }
-};
+using Vector = Eigen::Array<Scalar, width, 1>;
 #endif
 
 // No vector is passed by value: how that is done depends on the instructions that are enabled.
@@ -88,6 +68,20 @@ template <class V, class Scalar>
 CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void load(V& v, const Scalar* from)
 {
   std::memcpy(&v, from, sizeof(V));
+}
+
+// Numbers of type float or double as those of type double.
+template <int width, class Number>
+CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
+load_converted(Vector<double, width>& v, const Number* from)
+{
+  Vector<Number, width> x;
+  load(x, from);
+#if defined(__GNUC__)
+  v = __builtin_convertvector(x, Vector<double, width>);
+#else
+  v = x.template cast<double>();
+#endif
 }
 
 template <class V, class Scalar>
