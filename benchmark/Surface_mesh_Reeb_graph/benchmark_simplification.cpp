@@ -15,8 +15,12 @@
 //   ns_per_m_log  time / (m log2 m) for m nodes and arcs
 // The lines that end with BigO and RMS are the fit of c m log2 m, with m nodes, to all sizes of a
 // graph.
+//
+// With --loop_table=FILE the program writes nothing but a table in Markdown: loops closed by
+// Loop_closing and node by node, on a scaffold of genus 243 and on a plate with 10 000 holes.
 
 #include "functions.h"
+#include "loop_table.h"
 #include "meshes.h"
 #include "seconds_for.h"
 
@@ -35,6 +39,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -331,6 +336,16 @@ void add_meshes()
 int main(int argc, char* argv[])
 {
   benchmark::Initialize(&argc, argv);
+  const std::string loop_table = "--loop_table=";
+  if (argc == 2 && std::string(argv[1]).compare(0, loop_table.size(), loop_table) == 0) {
+    std::ofstream out(argv[1] + loop_table.size());
+    write_loop_table(out);
+    if (!out) {
+      std::cerr << "cannot write " << argv[1] + loop_table.size() << '\n';
+      return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+  }
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return EXIT_FAILURE;
   const double infinity = std::numeric_limits<double>::infinity();

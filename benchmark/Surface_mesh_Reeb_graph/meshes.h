@@ -124,24 +124,21 @@ constexpr std::size_t scaffold_genus =
     scaffold_nodes[0] * scaffold_nodes[1] - scaffold_nodes[1] * scaffold_nodes[2] -
     scaffold_nodes[2] * scaffold_nodes[0] + 1;
 
-// Something like a gyroid, but of known genus: a scaffold of struts along the edges of a cubic
-// lattice, made of small cubes, `m` of which make the width of a strut and of the gaps between
-// them; rounded a little. 3656 `m`^2 triangles, layer by layer.
-inline Triangle_soup scaffold(const std::size_t m)
+using Coordinates = std::array<std::size_t, 3>;
+
+// The surface of the small cubes inside a box of `size` for which `is_solid(cube)` is true, rounded
+// a little; edges and corners must not touch from outside. Cubes have length 1 / `m`. Layer by
+// layer.
+template <class IsSolid>
+Triangle_soup
+surface_of_cubes(const Coordinates& size, const std::size_t m, const IsSolid& is_solid)
 {
-  using Coordinates =
-      std::array<std::size_t, 3>; // of a cube, or of its corner at the origin's side
-  Coordinates size;
-  for (std::size_t d = 0; d < 3; ++d)
-    size[d] = (2 * scaffold_nodes[d] - 1) * m;
-  const auto is_solid = [&](const Coordinates& cube) {
-    std::size_t number_of_walls = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
+  // the coordinates of a cube are those of its corner at the origin's side
+  const auto is_inside_and_solid = [&](const Coordinates& cube) {
+    for (std::size_t d = 0; d < 3; ++d)
       if (cube[d] >= size[d]) // unsigned: or less than 0
         return false;
-      number_of_walls += cube[d] % (2 * m) < m;
-    }
-    return number_of_walls >= 2;
+    return bool(is_solid(cube));
   };
 
   Triangle_soup soup;
@@ -165,13 +162,13 @@ inline Triangle_soup scaffold(const std::size_t m)
   for (cube[0] = 0; cube[0] < size[0]; ++cube[0]) {
     for (cube[1] = 0; cube[1] < size[1]; ++cube[1]) {
       for (cube[2] = 0; cube[2] < size[2]; ++cube[2]) {
-        if (!is_solid(cube))
+        if (!is_inside_and_solid(cube))
           continue;
         for (std::size_t d = 0; d < 3; ++d) {
           for (const bool is_upper_side : {false, true}) {
             Coordinates neighbor = cube;
             neighbor[d] += is_upper_side ? 1 : -1;
-            if (is_solid(neighbor))
+            if (is_inside_and_solid(neighbor))
               continue;
             std::array<Coordinates, 4> corner;
             corner.fill(cube);
@@ -192,6 +189,32 @@ inline Triangle_soup scaffold(const std::size_t m)
     }
   }
   return soup;
+}
+
+// Something like a gyroid, but of known genus: a scaffold of struts along the edges of a cubic
+// lattice, made of small cubes, `m` of which make the width of a strut and of the gaps between
+// them. 3656 `m`^2 triangles.
+inline Triangle_soup scaffold(const std::size_t m)
+{
+  Coordinates size;
+  for (std::size_t d = 0; d < 3; ++d)
+    size[d] = (2 * scaffold_nodes[d] - 1) * m;
+  return surface_of_cubes(size, m, [m](const Coordinates& cube) {
+    std::size_t number_of_walls = 0;
+    for (const std::size_t coordinate : cube)
+      number_of_walls += coordinate % (2 * m) < m;
+    return number_of_walls >= 2;
+  });
+}
+
+// A plate with `number_of_holes`^2 small holes, which are its handles, `m` cubes wide and deep, and
+// as far from each other.
+inline Triangle_soup perforated_plate(const std::size_t number_of_holes, const std::size_t m)
+{
+  const std::size_t length = (2 * number_of_holes + 1) * m;
+  return surface_of_cubes({length, length, m}, m, [m](const Coordinates& cube) {
+    return cube[0] % (2 * m) < m || cube[1] % (2 * m) < m;
+  });
 }
 
 // The same surface, its vertices and triangles in an order that has nothing to do with the surface.

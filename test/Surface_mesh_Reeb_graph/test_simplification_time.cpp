@@ -17,13 +17,23 @@
 
 using namespace Reeb_graph_test;
 
+namespace {
+
+// Whether more cases than usual are asked for: then graphs are larger, too.
+bool is_long_run()
+{
+  return number_of_random_cases() > 2000;
+}
+
+} // namespace
+
 // Nodes with very many arcs, very many branches along an arc, branches on branches: with work in
-// proportion to the square of the size these would take hours.
+// proportion to the square of the size these would take minutes, or hours.
 BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
 {
   const Mesh no_mesh;
   const Value_map no_values;
-  const std::size_t n = 100000;
+  const std::size_t n = is_long_run() ? 100000 : 30000;
   const auto simplified = [&](const std::size_t number_of_nodes,
                               const std::vector<Rank_pair>& arcs) {
     std::vector<double> values(number_of_nodes);
@@ -141,7 +151,7 @@ BOOST_AUTO_TEST_CASE(large_graphs_take_no_quadratic_time)
 // too. The points of all arcs are asked for at some heights, those of the longest arc at all.
 BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
 {
-  const std::size_t n = 100000;
+  const std::size_t n = is_long_run() ? 100000 : 30000;
   // all graphs are connected, and trees are left; returns how many nodes
   const auto number_of_nodes_left = [](const std::size_t number_of_nodes,
                                        const std::vector<Rank_pair>& arcs) {
@@ -286,7 +296,7 @@ BOOST_AUTO_TEST_CASE(loops_are_closed_in_m_log_m_steps)
     return static_cast<double>(closing.number_of_steps()) / (m * std::log2(m));
   };
   const auto check = [&](const char* name, const auto& make, const std::size_t parts) {
-    const std::size_t n = 1 << 13;
+    const std::size_t n = is_long_run() ? 1 << 13 : 1 << 11;
     std::mt19937 rng(1);
     const double small = steps_per_m_log_m(make(n, rng), parts),
                  large = steps_per_m_log_m(make(16 * n, rng), parts);

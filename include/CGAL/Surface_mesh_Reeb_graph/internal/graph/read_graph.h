@@ -13,23 +13,18 @@
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/write_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_basic.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -11,12 +11,10 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_GRAPH_WRITE_GRAPH_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -24,10 +22,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

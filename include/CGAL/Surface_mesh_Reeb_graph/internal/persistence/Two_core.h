@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// What is left of a graph when leaves are taken away as long as there are any: all cycles, and what
-// lies between them. Nodes and arcs have new numbers, in the same order.
+// The 2-core of a graph: what is left when leaves are taken away as long as there are any, that is,
+// all cycles, and what lies between them. Nodes and arcs have new numbers, in the same order.
 class Two_core
 {
 public:

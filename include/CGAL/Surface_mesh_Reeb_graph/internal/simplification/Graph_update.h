@@ -128,8 +128,8 @@ auto arc_map_updates(const TriangleMesh& tmesh, const NamedParameters& np)
 }
 
 // A user's Reeb graph and the maps that belong to it, while the graph is simplified: checks and
-// reads all of them, simplifies the graph, moves the vertices of the mesh to the arcs that are left,
-// and writes.
+// reads all of them, simplifies the graph, moves the vertices of the mesh to the arcs that are
+// left, and writes.
 template <class TriangleMesh, class VertexScalarMap, class MutableGraph, class NamedParameters>
 class Graph_update
 {

@@ -35,9 +35,9 @@ struct Glued_part
 // Closes loops of a Reeb graph: folds their cycles flat, those with the highest splits first.
 //
 // At the highest node of a cycle its two arcs there are zipped together, down to the nearer one of
-// their other ends, and so on, until two parallel arcs are left, which become one. What hangs on the
-// cycle hangs on the fold afterwards, at its own height. If a side of the cycle goes up and down,
-// its peaks are zipped first, each down to the higher one of the two valleys beside it.
+// their other ends, and so on, until two parallel arcs are left, which become one. What hangs on
+// the cycle hangs on the fold afterwards, at its own height. If a side of the cycle goes up and
+// down, its peaks are zipped first, each down to the higher one of the two valleys beside it.
 //
 // A zip follows only one side at a time: the longer arc passes all nodes of the other side that lie
 // above its lower end at once. So the time is in the changes from one side to the other: O(m log m)

@@ -103,8 +103,8 @@ inline void cancel_pairs(Folded_graph& graph,
 }
 
 // Cancels all pairs of persistence 0, and those for which `is_small(pair)` holds; if it holds for
-// a pair, it must hold for all pairs of smaller persistence in the same component. `values` increase
-// with the nodes.
+// a pair, it must hold for all pairs of smaller persistence in the same component. `values`
+// increase with the nodes.
 template <class IsSmall>
 void cancel_branches(Folded_graph& graph,
                      const std::vector<double>& values,
