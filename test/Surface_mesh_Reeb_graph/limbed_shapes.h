@@ -284,9 +284,8 @@ inline Summary summary(const Graph& graph)
   Summary result = {0, 0, 0, 0, 0, 0};
   std::vector<std::size_t> down(num_vertices(graph), 0), up(num_vertices(graph), 0);
   for (const auto e : CGAL::make_range(edges(graph))) {
-    const auto s = source(e, graph), t = target(e, graph);
-    ++(graph[s].id < graph[t].id ? up : down)[s];
-    ++(graph[s].id < graph[t].id ? down : up)[t];
+    ++up[lower_node(e, graph)];
+    ++down[upper_node(e, graph)];
   }
   for (const auto node : CGAL::make_range(vertices(graph))) {
     result.minima += down[node] == 0 && up[node] > 0 ? 1 : 0;

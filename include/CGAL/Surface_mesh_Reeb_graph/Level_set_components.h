@@ -71,11 +71,15 @@ triangle mesh.
 
 At a node of a Reeb graph components of the level set appear, vanish, split or merge. Those just
 below and just above the vertex of the node that touch it are the curves along which the surface can
-be cut there: if multiple saddles are not unfolded, there is below a node a component for every arc
-that ends at it, above it one for every arc that begins at it.
+be cut there: if no two neighbors have the same value and multiple saddles are not unfolded, there is
+below a node of the graph that `compute_Reeb_graph()` makes a component for every arc that ends at
+it, above it one for every arc that begins at it.
 
 The vertices are compared by `Vertex_order`, as everywhere in this package. So a component is well
-defined even inside a plateau; no vertex lies on a level set. Multiple saddles,
+defined even inside a plateau; no vertex lies on a level set. But where pairs of an extremum and a
+saddle have equal values, `compute_Reeb_graph()` cancels them: there are at least as many components
+as arcs at a vertex of a plateau then, and as many again for the graph of the function that
+`vertex_order_values()` makes of the values, whose components are the same. Multiple saddles,
 borders, several components, isolated vertices, and border vertices at which several fans of faces
 meet are normal input.
 

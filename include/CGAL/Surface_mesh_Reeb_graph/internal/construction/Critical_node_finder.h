@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
@@ -23,7 +24,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -90,7 +90,7 @@ private:
     Nodes& nodes;
     std::vector<halfedge_descriptor>& lower_halfedge;
     Star star;
-    std::vector<std::pair<vertex_descriptor, halfedge_descriptor>> upper_wedges;
+    std::vector<Lowest_vertex<vertex_descriptor>> upper_wedges;
   };
 
   static halfedge_descriptor null_halfedge()
@@ -151,14 +151,14 @@ private:
   follow(const std::vector<halfedge_descriptor>& halfedges, Paths& paths) const
   {
     std::vector<std::uint32_t> path_of_wedge(halfedges.size(), Paths::no_path);
-    std::vector<halfedge_descriptor> edges;
-    edges.reserve(halfedges.size());
+    std::vector<vertex_descriptor> starts;
+    starts.reserve(halfedges.size());
     for (std::size_t w = 0; w < halfedges.size(); ++w)
       if (halfedges[w] != null_halfedge()) {
-        path_of_wedge[w] = static_cast<std::uint32_t>(edges.size()); // these are the first paths
-        edges.push_back(halfedges[w]);
+        path_of_wedge[w] = static_cast<std::uint32_t>(starts.size()); // these are the first paths
+        starts.push_back(source(halfedges[w], m_tmesh));
       }
-    paths.follow(edges.size(), [&](std::size_t i) { return source(edges[i], m_tmesh); });
+    paths.follow(starts);
     return path_of_wedge;
   }
 
@@ -194,20 +194,19 @@ private:
       if (!wedge.is_upper)
         reader.lower_halfedge[lower++] = h;
       else
-        reader.upper_wedges.emplace_back(
-            source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), h);
+        reader.upper_wedges.push_back(
+            {source(sorts ? star.lowest_edge(wedge, m_tmesh, m_order) : h, m_tmesh), wedge.begin});
     }
-    std::sort(reader.upper_wedges.begin(),
-              reader.upper_wedges.end(),
-              [&](const auto& a, const auto& b) { return m_order(a.first, b.first); });
+    if (sorts)
+      sort_by_lowest_vertices(reader.upper_wedges, m_order);
     for (const auto& wedge : reader.upper_wedges)
-      nodes.upper_halfedge[upper++] = wedge.second;
+      nodes.upper_halfedge[upper++] = star.halfedges[wedge.position];
   }
 
   // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1
   // and L2 across U1 to one strand that passes by the vertex; saddle i joins that strand and L(i +
   // 1) across U(i); what passes by the last one is Uk.
-  void read_unfolded_wedges(std::uint32_t first, Reader& reader) const
+  CGAL_REEB_GRAPH_COLD void read_unfolded_wedges(std::uint32_t first, Reader& reader) const
   {
     Nodes& nodes = reader.nodes;
     Star& star = reader.star;

@@ -145,17 +145,11 @@ private:
 
   void merge_superlevel_sets(const std::vector<std::uint32_t>& sequence)
   {
-    if (!m_request.has_wedge_arcs) {
-      internal::merge_superlevel_sets(m_nodes, sequence, m_superlevel_forest);
-      return;
-    }
-    m_component_of_upper_wedge.resize(m_nodes.upper_end.size());
     internal::merge_superlevel_sets(m_nodes,
                                     sequence,
                                     m_superlevel_forest,
-                                    [this](std::uint32_t wedge, std::uint32_t component) {
-                                      m_component_of_upper_wedge[wedge] = component;
-                                    });
+                                    m_request.has_wedge_arcs ? &m_component_of_upper_wedge
+                                                             : nullptr);
   }
 
   // Below which nodes two components of the level set may belong to the same component of the
@@ -198,7 +192,7 @@ private:
     for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
       if (m_states.is_on_border(static_cast<std::size_t>(get(m_vertex_index_map, v))))
         border.push_back(v);
-    ascents.follow(border.size(), [&](std::size_t i) { return border[i]; });
+    ascents.follow(border);
     for (const vertex_descriptor v : border)
       touches_border[m_nodes.number_of_end(ascents.end_from(v))] = true;
     std::vector<std::uint32_t> result(m_nodes.size(), 0);

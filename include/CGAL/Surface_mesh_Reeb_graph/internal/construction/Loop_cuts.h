@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/interleaved_tasks.h>
 
@@ -103,7 +104,8 @@ public:
         attach(m_components.root(m_nodes.lower_end[w]), node, forest);
       sequence.push_back(node);
     }
-    walk_along_cuts();
+    if (!m_cut_walks.empty())
+      walk_along_cuts();
     return true;
   }
 
@@ -195,7 +197,7 @@ private:
     }
   }
 
-  bool cut_below_simple_saddle(std::uint32_t node, Merge_forest& forest)
+  CGAL_REEB_GRAPH_COLD bool cut_below_simple_saddle(std::uint32_t node, Merge_forest& forest)
   {
     if (m_nodes.vertex[m_first] != m_nodes.vertex[node])
       for (m_first = node; !m_nodes.is_first_of_vertex(m_first);)
@@ -229,7 +231,7 @@ private:
   }
 
   // At unfolded saddles.
-  void walk_along_cuts()
+  CGAL_REEB_GRAPH_COLD void walk_along_cuts()
   {
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
       struct Task

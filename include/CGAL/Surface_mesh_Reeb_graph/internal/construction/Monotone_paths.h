@@ -75,15 +75,14 @@ public:
     m_way[index(v)].store(node + 1, std::memory_order_relaxed);
   }
 
-  // Follows the paths from the vertices `start(i)` for `i < number`. Their numbers come after those
-  // of the paths that were followed before.
-  template <class Start>
-  void follow(std::size_t number, const Start& start)
+  // Follows the paths from some vertices. Their numbers come after those of the paths that were
+  // followed before.
+  void follow(const std::vector<vertex_descriptor>& starts)
   {
     const std::size_t first = m_paths.size();
-    m_paths.resize(first + number);
-    for_each_range<ConcurrencyTag>(number, [&](std::size_t begin, std::size_t end) {
-      follow_range(first, begin, end, start);
+    m_paths.resize(first + starts.size());
+    for_each_range<ConcurrencyTag>(starts.size(), [&](std::size_t begin, std::size_t end) {
+      follow_range(first, begin, end, starts);
     });
     m_tails.clear();
   }
@@ -196,8 +195,10 @@ private:
 
   // ---- following
 
-  template <class Start>
-  void follow_range(std::size_t first, std::size_t begin, std::size_t end, const Start& start)
+  void follow_range(std::size_t first,
+                    std::size_t begin,
+                    std::size_t end,
+                    const std::vector<vertex_descriptor>& starts)
   {
     // a path looks at no edge twice, and no other one at the edges of the same vertex
     const std::size_t most_looks = num_halfedges(m_tmesh);
@@ -209,7 +210,7 @@ private:
           while (begin < end) {
             const std::size_t i = begin++;
             walker.path = first + i;
-            if (pass(walker, start(i), way(index(start(i)))))
+            if (pass(walker, starts[i], way(index(starts[i]))))
               return true;
           }
           return false;

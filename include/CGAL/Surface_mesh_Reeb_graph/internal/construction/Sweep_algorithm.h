@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Edge_numbers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star_batch.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
@@ -49,13 +50,6 @@ class Sweep_algorithm
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using Star = Vertex_star<TriangleMesh>;
   using Run = Rising_level_set::Run;
-
-  // The lowest vertex that a run of upper edges leads to.
-  struct Lowest
-  {
-    vertex_descriptor vertex;
-    std::size_t run;
-  };
 
 public:
   Sweep_algorithm(const TriangleMesh& tmesh,
@@ -207,11 +201,10 @@ private:
   // comes out.
   void pass(vertex_descriptor v)
   {
-    std::sort(m_lowest.begin(), m_lowest.end(), [this](const Lowest& a, const Lowest& b) {
-      return m_order(a.vertex, b.vertex);
-    });
+    if (m_lowest.size() > 1)
+      sort_by_lowest_vertices(m_lowest, m_order);
     for (std::size_t i = 0; i < m_lowest.size(); ++i)
-      m_runs[m_lowest[i].run].lowest = static_cast<std::uint32_t>(i);
+      m_runs[m_lowest[i].position].lowest = static_cast<std::uint32_t>(i);
     m_level_sets.pass(m_runs, m_arcs_below);
     m_is_branching = false;
     if (m_arcs_below.size() == 1 && m_level_sets.components.size() == 1) {
@@ -234,7 +227,7 @@ private:
   // Around the vertex there are the wedges L1 U1 L2 U2 ... Lk Uk. The first simple saddle joins L1
   // and L2 across U1 to one strand that passes by the vertex, and so on; what passes by the last
   // one is Uk.
-  void unfold(vertex_descriptor v, Star& star)
+  CGAL_REEB_GRAPH_COLD void unfold(vertex_descriptor v, Star& star)
   {
     star.begin_at_lowest_vertex(m_tmesh, m_order);
     const std::size_t number = star.number_of_simple_saddles();
@@ -294,7 +287,7 @@ private:
   // Members, so that no vertex allocates.
   bool m_is_branching = false;
   std::vector<Run> m_runs;
-  std::vector<Lowest> m_lowest; // of the upper runs
+  std::vector<Lowest_vertex<vertex_descriptor>> m_lowest; // of the upper runs
   std::vector<std::uint32_t> m_elements;
   std::vector<std::uint32_t> m_arcs_below;
 };

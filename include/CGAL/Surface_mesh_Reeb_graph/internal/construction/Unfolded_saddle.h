@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <CGAL/assertions.h>
@@ -51,7 +52,7 @@ public:
   // Finds the ways of the level set around the vertex from the first edge of every lower wedge to
   // the last edge of another one, or to the border. Returns false if that takes more steps than the
   // budget allows.
-  bool set_vertex(vertex_descriptor v, std::int64_t& budget)
+  CGAL_REEB_GRAPH_COLD bool set_vertex(vertex_descriptor v, std::int64_t& budget)
   {
     if (!m_star.halfedges.empty() && target(m_star.halfedges.front(), m_tmesh) == v)
       return true;
@@ -90,7 +91,7 @@ public:
 
   // Whether, just below saddle `i`, both strands belong to one component. If they do not, the parts
   // of the component of L(i + 1) are told by the functions that follow.
-  bool is_one_component(std::size_t i, std::int64_t& budget)
+  CGAL_REEB_GRAPH_COLD bool is_one_component(std::size_t i, std::int64_t& budget)
   {
     CGAL_precondition(0 < i && i < m_next.size());
     m_traced_wedges.assign(1, 2 * i);

@@ -64,9 +64,8 @@ public:
     for (const vertex_descriptor v : CGAL::make_range(vertices(m_tmesh)))
       if (!has_no_edge(v, m_tmesh))
         m_vertices.push_back(v);
-    const auto start = [&](std::size_t i) { return m_vertices[i]; };
-    descents.follow(m_vertices.size(), start);
-    ascents.follow(m_vertices.size(), start);
+    descents.follow(m_vertices);
+    ascents.follow(m_vertices);
   }
 
   // To be called then. `sequence` holds the nodes and leaves in increasing order.

@@ -23,23 +23,18 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-struct Ignore_components
-{
-  void operator()(std::uint32_t, std::uint32_t) const {}
-};
-
 // Makes a forest that is empty and has room for all names: visits the nodes in the given order and
 // merges the components that their wedges lead to, which are told by nodes in them, the ends of the
 // wedges. The sequence may hold more names than there are nodes:
-// those of leaves, which are components of their own. Calls `set_component(wedge, node)` for every
-// wedge with the last node of its component, the child that the component has in the forest.
-template <class Iterator, class SetComponent>
+// those of leaves, which are components of their own. If `component_of_wedge` is given, it receives
+// for every wedge the last node of its component, the child that the component has in the forest.
+template <class Iterator>
 void merge_components(Iterator begin,
                       Iterator end,
                       const std::vector<std::uint32_t>& wedge_begin,
                       const std::vector<std::uint32_t>& wedge_end,
                       Merge_forest& forest,
-                      const SetComponent& set_component)
+                      std::vector<std::uint32_t>* component_of_wedge = nullptr)
 {
   const std::size_t number_of_nodes = wedge_begin.size() - 1;
   Disjoint_sets sets(forest.size()); // the last node visited is the root
@@ -54,7 +49,8 @@ void merge_components(Iterator begin,
     for (std::size_t k = 0; k < components.size(); ++k) {
       const std::uint32_t component = components[k];
       CGAL_assertion(component != node); // the ends of the wedges have been visited before
-      set_component(wedge_begin[node] + static_cast<std::uint32_t>(k), component);
+      if (component_of_wedge != nullptr)
+        (*component_of_wedge)[wedge_begin[node] + k] = component;
       if (forest.parent(component) == node)
         continue;
       forest.attach(component, node);
@@ -70,28 +66,25 @@ void merge_sublevel_sets(const Nodes& nodes,
                          Merge_forest& forest)
 {
   forest.clear(sequence.size());
-  merge_components(sequence.begin(),
-                   sequence.end(),
-                   nodes.lower_begin,
-                   nodes.lower_end,
-                   forest,
-                   Ignore_components());
+  merge_components(sequence.begin(), sequence.end(), nodes.lower_begin, nodes.lower_end, forest);
 }
 
 // The forest of superlevel sets.
-template <class Nodes, class SetComponent = Ignore_components>
+template <class Nodes>
 void merge_superlevel_sets(const Nodes& nodes,
                            const std::vector<std::uint32_t>& sequence,
                            Merge_forest& forest,
-                           const SetComponent& set_component = SetComponent())
+                           std::vector<std::uint32_t>* component_of_wedge = nullptr)
 {
   forest.clear(sequence.size());
+  if (component_of_wedge != nullptr)
+    component_of_wedge->resize(nodes.upper_end.size());
   merge_components(sequence.rbegin(),
                    sequence.rend(),
                    nodes.upper_begin,
                    nodes.upper_end,
                    forest,
-                   set_component);
+                   component_of_wedge);
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Reeb_graph_request.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
@@ -61,7 +62,10 @@ classify_vertices(const TriangleMesh& tmesh,
   Order order(tmesh, scalar_map, vertex_index_map);
   if (!states.classify<ConcurrencyTag>(
           tmesh, vertex_index_map, [&](vertex_descriptor v) { return order.key(v); }))
+  {
+    check_mesh(tmesh, vertex_index_map);
     throw Input_error("the mesh has a face with the same vertex twice");
+  }
   return order;
 }
 

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_VERTEX_STAR_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -24,6 +25,25 @@
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
+
+// The lowest vertex that a wedge leads to, or something like a wedge, with a position that tells
+// which one it is.
+template <class VertexDescriptor>
+struct Lowest_vertex
+{
+  VertexDescriptor vertex;
+  std::size_t position;
+};
+
+template <class VertexDescriptor, class VertexOrder>
+void sort_by_lowest_vertices(std::vector<Lowest_vertex<VertexDescriptor>>& wedges,
+                             const VertexOrder& order)
+{
+  using Lowest = Lowest_vertex<VertexDescriptor>;
+  std::sort(wedges.begin(), wedges.end(), [&](const Lowest& a, const Lowest& b) {
+    return order(a.vertex, b.vertex);
+  });
+}
 
 // The edges around a vertex in cyclic order, and their wedges: runs of edges that lead to the same
 // side of the level of the vertex, each joined to the next one by a face. A component of the level
@@ -121,7 +141,7 @@ public:
   // that has the lowest vertex: a beginning that does not depend on how the data structure
   // circulates.
   template <class Less>
-  void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)
+  CGAL_REEB_GRAPH_COLD void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)
   {
     CGAL_precondition(is_closed() && wedges.size() % 2 == 0);
     std::size_t first = wedges.size();

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -81,7 +82,7 @@ void check_fans(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
 }
 
 template <class TriangleMesh, class VertexIndexMap>
-void check_mesh(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+CGAL_REEB_GRAPH_COLD void check_mesh(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
 {
   check_halfedges(tmesh, vertex_index_map);
   check_fans(tmesh, vertex_index_map);

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Compacted_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/cancel_branches.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -30,10 +31,10 @@ namespace internal {
 
 // Cancels the pairs of persistence zero, which only plateaus produce.
 template <class TriangleMesh, class VertexIndexMap, class VertexOrder>
-void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
-                                   const TriangleMesh& tmesh,
-                                   VertexIndexMap vertex_index_map,
-                                   const VertexOrder& order)
+CGAL_REEB_GRAPH_COLD void cancel_zero_persistence_pairs(Arc_list<TriangleMesh>& list,
+                                                        const TriangleMesh& tmesh,
+                                                        VertexIndexMap vertex_index_map,
+                                                        const VertexOrder& order)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 

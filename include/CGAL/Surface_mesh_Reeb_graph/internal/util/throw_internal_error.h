@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_THROW_INTERNAL_ERROR_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 
 #include <string>
 
@@ -20,7 +21,7 @@ namespace internal {
 
 // What the algorithms rule out has happened. That may be the fault of a mesh that no algorithm can
 // see through, or of this package: who has the mesh checks it before the error goes on to the user.
-[[noreturn]] inline void throw_internal_error(const char* what)
+[[noreturn]] CGAL_REEB_GRAPH_COLD inline void throw_internal_error(const char* what)
 {
   throw Internal_error(std::string("internal error: ") + what + "; please report this as a bug");
 }
