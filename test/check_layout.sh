@@ -66,7 +66,7 @@ expect_none "headers with a capital, and no class of that name" "$(
   for header in "$package"/*.h "$package"/internal/*/*.h; do
     name=$(basename "$header" .h)
     if [[ "$name" == [A-Z]* ]] &&
-      ! grep -qE "^((class|struct) $name\b|using $name =)" "$header"; then
+      ! grep -qE "^((class|struct|enum|enum class) $name\b|using $name =)" "$header"; then
       echo "${header#"$root"/}"
     fi
   done

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Compacted_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>

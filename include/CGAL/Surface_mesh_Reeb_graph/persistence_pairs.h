@@ -15,7 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/write_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
 

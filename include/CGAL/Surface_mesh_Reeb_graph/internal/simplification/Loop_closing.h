@@ -11,7 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_LOOP_CLOSING_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Minimum_spanning_forest.h>
 
 #include <CGAL/assertions.h>

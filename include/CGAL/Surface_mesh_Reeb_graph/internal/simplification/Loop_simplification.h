@@ -12,7 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Minimum_spanning_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Two_core.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Point_on_arc.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
