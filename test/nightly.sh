@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is too long for every change: 50000 random cases in the tests of the Reeb graph, optimized and
+# What is too long for every change: 50000 random cases in the tests of the Reeb graph, alone and
 # under the sanitizers, and an hour of fuzzing. Takes about three hours and prints what fails, and a last
 # line "N passed, N failed". FUZZING_SECONDS and REEB_GRAPH_TEST_CASES in the environment change that.
 set -euo pipefail
@@ -52,11 +52,11 @@ install_missing g++ clang libclang-rt-dev cmake make libcgal-dev libeigen3-dev l
   libboost-dev libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev
 
 # The agreement with VTK is there where VTK is.
-check "random tests (release)" \
-  random_tests release 'compute_Reeb_graph|simplify_Reeb_graph|vtk_agreement'
+check "random tests" \
+  random_tests test 'compute_Reeb_graph|cancel_branches|close_loops|simplify_Reeb_graph|persistence|vtk_agreement'
 check "random tests (sanitizers)" \
-  random_tests sanitize 'compute_Reeb_graph|simplify_Reeb_graph' \
-  --target test_compute_Reeb_graph test_simplify_Reeb_graph
+  random_tests sanitize 'compute_Reeb_graph|cancel_branches|close_loops|simplify_Reeb_graph' \
+  --target test_compute_Reeb_graph test_cancel_branches test_close_loops test_simplify_Reeb_graph
 check "fuzzing" fuzz
 
 echo "$passed passed, $failed failed"
