@@ -54,8 +54,10 @@ struct Sum_of_items
 
   struct Data
   {
-    bool is_reversed = false; // the subtree is to be read backwards, which has not been done yet
-    Sum own, all;             // of the item, and of the subtree
+    Sum own, all; // of the item, and of the subtree
+    // The subtree is to be read backwards, which has not been done yet. At the end, where the links
+    // of an item fill the gap up to its alignment.
+    bool is_reversed = false;
   };
 
   static void update(Data& data, const Data* left, const Data* right)
