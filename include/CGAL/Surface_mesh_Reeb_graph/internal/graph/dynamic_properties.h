@@ -87,8 +87,7 @@ graph_properties(const Graph& graph, const TriangleMesh& tmesh, const NamedParam
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
 
-  const auto node_of = [&graph](Node n) -> const auto&
-  {
+  const auto node_of = [&graph](Node n) -> decltype(auto) {
     return get(boost::vertex_bundle, graph)[n];
   };
   const auto coordinate = [node_of, vertex_point_map](Node n, int i) {
