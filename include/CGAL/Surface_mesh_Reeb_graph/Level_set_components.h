@@ -76,9 +76,9 @@ below a node of the graph that `compute_Reeb_graph()` makes a component for ever
 it, above it one for every arc that begins at it.
 
 The vertices are compared by `Vertex_order`, as everywhere in this package. So a component is well
-defined even inside a plateau; no vertex lies on a level set. But where pairs of an extremum and a
-saddle have equal values, `compute_Reeb_graph()` cancels them: there are at least as many components
-as arcs at a vertex of a plateau then, and as many again for the graph of the function that
+defined even inside a plateau; no vertex lies on a level set. But `compute_Reeb_graph()` cancels
+pairs of an extremum and a saddle that have equal values: so there may be more components than arcs
+at a vertex of a plateau, or fewer. There are as many for the graph of the function that
 `vertex_order_values()` makes of the values, whose components are the same. Multiple saddles,
 borders, several components, isolated vertices, and border vertices at which several fans of faces
 meet are normal input.
