@@ -51,14 +51,14 @@ for mesh in "$data"/wolf_tosca/*.off; do
   expect_counts 1/9/0 "$mesh" --simplify 0.03
   expect_counts 1/9/0 "$mesh" --simplify 0.1
 done
-alike=0
+same=0
 for mesh in "$data"/cat_sumner/*.off; do
   expect_counts 1/8/0 "$mesh" --simplify 0.03
   if [ "$(counts "$mesh" --simplify 0.1)" = 1/6/0 ]; then
-    alike=$((alike + 1))
+    same=$((same + 1))
   fi
 done
-expect "cats with 1/6/0 at 0.1: $alike instead of 6 or 7" [ "$alike" -ge 6 ]
+expect "cats with 1/6/0 at 0.1: $same instead of 6 or 7" [ "$same" -ge 6 ]
 expect_counts 1/8/1 "$data/topology_derived/cat-01_handle1.off" --simplify 0.03
 
 # ---- loops = genus on closed meshes ---------------------------------------------------------------

@@ -5,7 +5,7 @@
 // (one pass over the faces that reads the three values of each and counts its middle vertex) and
 // beside VTK.
 //
-// The floor and what is compared with it take turns on the same mesh, and the least time of each
+// The floor and what is compared with it alternate on the same mesh, and the least time of each
 // counts, so that a machine that has other things to do spoils the ratios little.
 //
 // Benchmarks are named mesh/triangles/function/algorithm, for --benchmark_filter. The counters:

@@ -5,7 +5,7 @@
 // `float`, beside the floor: one pass over the matrix of the eigenfunctions, which adds up its
 // numbers.
 //
-// The floor and what is compared with it take turns, and the least time of each counts. Benchmarks
+// The floor and what is compared with it alternate, and the least time of each counts. Benchmarks
 // are named what/number type, for --benchmark_filter. The counters:
 //   x_floor      time / time of the floor with the same number type
 //   GB_per_s     bytes of the matrix / time

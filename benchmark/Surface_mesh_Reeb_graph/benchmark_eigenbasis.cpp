@@ -6,7 +6,7 @@
 // tolerance.
 //
 // Benchmarks are named irregular/vertices/solver, for --benchmark_filter. With
-// --benchmark_repetitions and --benchmark_enable_random_interleaving the solvers take turns; the
+// --benchmark_repetitions and --benchmark_enable_random_interleaving the solvers alternate; the
 // fastest run of each counts. The counters, in seconds of processor time:
 //   assembly        of the matrices, from the mesh
 //   factorization   of the shifted stiffness matrix

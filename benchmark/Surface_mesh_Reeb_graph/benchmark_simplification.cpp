@@ -7,7 +7,7 @@
 // Graphs that a simplification which passes arcs or nodes again and again takes quadratic time for,
 // from 10 thousand to a million nodes, and Reeb graphs of noise on meshes of up to 4 million
 // triangles. Benchmarks are named graph/what/nodes and noise_on_mesh/triangles/what, for
-// --benchmark_filter. The floor and what is compared with it take turns, and the least time of each
+// --benchmark_filter. The floor and what is compared with it alternate, and the least time of each
 // counts. The counters:
 //   arcs          of the graph
 //   arcs_left     of the simplified graph
@@ -116,7 +116,7 @@ Graph long_cycles(const std::size_t number_of_nodes)
   return make_graph(2 * n + 2, arcs, n + 2);
 }
 
-// Two such paths, whose nodes take turns.
+// Two such paths, whose nodes alternate.
 Graph alternating_cycles(const std::size_t number_of_nodes)
 {
   const std::size_t n = (number_of_nodes - 2) / 2;
@@ -167,9 +167,9 @@ std::size_t reversed_bits(std::size_t number, std::size_t bound)
   return result;
 }
 
-// Paths of 8 nodes each from one node down, the nodes of all paths in turn. They meet in pairs, the
-// pairs meet in pairs, and so on: when two bundles are zipped together their nodes take turns,
-// which is as often as can be.
+// Paths of 8 nodes each from one node down, with alternating nodes. They meet in pairs, the pairs
+// meet in pairs, and so on: when two bundles are zipped together their nodes alternate, so that the
+// sides change as often as can be.
 Graph nested_cycles(const std::size_t number_of_nodes)
 {
   std::size_t number_of_paths = 1;

@@ -58,7 +58,7 @@ struct Limb
 };
 
 // A body of 3 x 3 x 3 cubes around the origin with limbs one cube thick, all of different lengths:
-// tips at different heights of any function, no two critical values alike.
+// tips at different heights of any function, no two critical values equal.
 inline const std::vector<Limb> all_limbs = {
     {0, 1, 9}, {0, -1, 8}, {1, 1, 7}, {1, -1, 10}, {2, 1, 6}, {2, -1, 11}};
 

@@ -298,7 +298,7 @@ BOOST_AUTO_TEST_CASE(identical_copies_have_identical_eigenvalues)
   }
 }
 
-// What is missing may lie in the vectors that are waiting when all others have converged.
+// What is missing may lie in the vectors that are pending when all others have converged.
 BOOST_AUTO_TEST_CASE(missing_eigenvalues_are_found_with_any_seed)
 {
   const Pencil pencil = copies(pencil_of(potato(1)), 20);

@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(long_cycles_are_closed_in_no_quadratic_time)
 // m log m grow by a factor of 1.3 or 1.4. Steps are counted, not timed.
 BOOST_AUTO_TEST_CASE(loops_are_closed_in_m_log_m_steps)
 {
-  // bundles of paths whose nodes take turns, joined in pairs, the pairs in pairs, and so on
+  // bundles of paths whose nodes alternate, joined in pairs, the pairs in pairs, and so on
   const auto nested_paths = [](const std::size_t n) {
     const std::size_t length = 8, number = n / length;
     std::vector<Rank_pair> arcs;

@@ -137,8 +137,9 @@ private:
     } else if (m_processed > 0 && has_converged(number) && is_complete(number)) {
       return true;
     }
-    // A look at the eigenpairs costs as much as a step on small meshes. So the next one is when
-    // they will have converged, if the error goes on to decrease as it did since the last one.
+    // A test of convergence costs as much as a step on small meshes. So the next one is when the
+    // eigenpairs will have converged, if the error goes on to decrease as it did since the last
+    // one.
     Eigen::Index steps = 0, last_look = 0,
                  next_look = (std::max)(m_processed, 3 * capacity / 4) - m_processed;
     double last_error = 0;

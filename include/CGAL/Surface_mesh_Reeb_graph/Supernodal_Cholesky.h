@@ -499,7 +499,7 @@ private:
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
         Row::load(x + rows[i] * Index(Columns)).store(below + i * Columns);
     };
-    // the rows of the next panel are asked for meanwhile
+    // the rows of the next panel are prefetched meanwhile
     const auto prefetch_rows = [&](const Index s) {
       const StorageIndex* const rows = m_structure.rows_below(s);
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)

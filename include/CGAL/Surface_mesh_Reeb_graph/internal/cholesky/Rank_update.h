@@ -49,8 +49,8 @@ public:
 private:
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  // A part of A of so many rows and columns stays in the second cache, and `tile_columns` rows of B
-  // in the first.
+  // A part of A of so many rows and columns stays in the second-level cache, and `tile_columns`
+  // rows of B in the first-level one.
   static constexpr Index largest_depth = 192;
   static constexpr Index rows_in_cache = 8 * tile_rows;
 

@@ -231,7 +231,7 @@ private:
     }
 
     std::vector<StorageIndex> last_leaf(n, none); // of the subtree of every row
-    std::vector<StorageIndex> ancestor(n);        // union-find of what is below a node
+    std::vector<StorageIndex> ancestor(n);        // disjoint sets of what is below a node
     for (StorageIndex j = 0; j < size_of_matrix(); ++j)
       at(ancestor, j) = j;
     for (StorageIndex j = 0; j < size_of_matrix(); ++j) {

@@ -24,8 +24,8 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Puts together a Reeb graph without loops from the merge forests of its sublevel and of its
-// superlevel sets (Carr, Snoeyink, Axen, "Computing contour trees in all dimensions", 2003): a leaf
+// Puts together a Reeb graph without loops, the contour trees of all components, from their join
+// and split trees (Carr, Snoeyink, Axen, "Computing contour trees in all dimensions", 2003): a leaf
 // of one of them is a leaf of the graph, and its arc leads to its parent; leaf and arc are taken
 // away, and so on.
 class Contour_forest

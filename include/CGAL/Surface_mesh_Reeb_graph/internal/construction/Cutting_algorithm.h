@@ -155,7 +155,7 @@ private:
   // Below which nodes two components of the level set may belong to the same component of the
   // sublevel set, as far as the forests tell; in increasing order.
   //
-  // Let a vertex in the interior have k lower and k upper wedges; around it they take turns, and
+  // Let a vertex in the interior have k lower and k upper wedges; around it they alternate, and
   // the level sets below and above it are the same elsewhere. Closed components make at most k + 1
   // together, below and above. The sublevel and superlevel sets have no more of them: if they have
   // as many, all of them are apart. A component that ends on the border changes nothing as long as

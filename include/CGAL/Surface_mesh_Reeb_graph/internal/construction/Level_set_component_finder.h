@@ -76,7 +76,7 @@ public:
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<Walking> tasks((std::min)(end - begin, number_of_interleaved_tasks),
                                  Walking(*this));
-      // some steps at a time: what is shared by threads is slow
+      // some steps at a time, since the atomic numbers are contended
       constexpr std::int64_t most_steps = 256;
       std::int64_t steps = 0;
       const auto spend = [&]() {

@@ -32,7 +32,7 @@ namespace internal {
 // Finds which wedges on one side of a vertex belong to the same component of the level set there.
 //
 // The level set leaves a wedge at its two ends: a forward walk starts at the first edge, and
-// arrives at the last edge of a wedge or at the border. All walks take one step in turn, until all
+// arrives at the last edge of a wedge or at the border. All walks advance in lockstep, until all
 // components but one are known from end to end; the one that is left, about the longest, is never
 // walked to its end. On a mesh with border a component may end there in both directions, so
 // backward walks start at the last edges too.

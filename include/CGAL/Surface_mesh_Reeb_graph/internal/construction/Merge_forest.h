@@ -22,10 +22,11 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// The forest that tells how the components of the sublevel sets merge as the level rises, or those
-// of the superlevel sets as it falls: every node with the next one of its component as its parent.
-// Instead of a list of its children a node has their number and the exclusive or of their names,
-// which is the name of the last one when one is left.
+// The join trees of the components of a mesh, which tell how the components of the sublevel sets
+// merge as the level rises, or their split trees, those of the superlevel sets as it falls: every
+// node with the next one of its component as its parent. Instead of a list of its children a node
+// has their number and the exclusive or of their names, which is the name of the last one when one
+// is left.
 class Merge_forest
 {
 public:

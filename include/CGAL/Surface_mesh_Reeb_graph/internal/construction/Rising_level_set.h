@@ -26,8 +26,8 @@ namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
 // The components of a level set that rises, each as the sequence of the edges that it crosses,
-// closed or from border to border. The sequences have elements that no edge stands for any more:
-// taking them out would change nothing.
+// closed or from border to border. Elements of edges that are not crossed any more are deleted
+// lazily, if at all: they change neither the order of the others nor which sequence these are in.
 class Rising_level_set
 {
   using Sequences = Splay_sequences<Sequence_number>;
@@ -66,7 +66,7 @@ public:
     std::reverse(run.begin(), run.end());
   }
 
-  // Says that an element will be needed soon; it may be none.
+  // Prefetches an element; it may be none.
   void prefetch_element(std::uint32_t element) const { m_sequences.prefetch_item(element); }
 
   // The arc that a component belongs to, by one of its elements.

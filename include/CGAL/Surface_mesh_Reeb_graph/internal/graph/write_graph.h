@@ -54,9 +54,8 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
 }
 
 // Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and
-// looked for before it is needed. Where a function is noisy, half of all time would go into waiting
-// for it otherwise. (Making a graph aside and moving it would not help: they cannot be moved, only
-// copied.)
+// prefetched. Where a function is noisy, half of all time would be cache misses otherwise. (Making
+// a graph aside and moving it would not help: they cannot be moved, only copied.)
 template <class MutableGraph>
 auto reserve_nodes(std::size_t number, MutableGraph& graph)
     -> decltype(graph.m_vertices.reserve(number))

@@ -57,8 +57,8 @@ public:
     return {target(n, tmesh), {n, next(n, tmesh)}};
   }
 
-  // Crosses it. There is no branch: which way the walk turns cannot be predicted, and to wait for
-  // it would keep other walks from going on.
+  // Crosses it. There is no branch: which way the walk turns cannot be predicted, and a
+  // misprediction would stall the other walks that are interleaved with it.
   // \pre the walk is not at the border
   void cross(const Crossing& crossing, bool is_vertex_above, const TriangleMesh& tmesh)
   {

@@ -139,7 +139,8 @@ private:
   }
 
   // Goes over `number` faces from `face` on, a few at a time: their middle vertices first, which
-  // wait for nothing but the mesh, and then the counts, of which neighboring faces often share one.
+  // depend on nothing but the mesh, and then the counts, of which neighboring faces often share one
+  // (each would depend on the one before).
   template <class TriangleMesh, class FaceIterator, class VertexIndexMap, class Key>
   static void pass(const TriangleMesh& tmesh,
                    FaceIterator face,
@@ -158,7 +159,7 @@ private:
       number -= size;
       unsigned number_of_rising_halfedges = 0;
       for (std::size_t i = 0; i < size; ++i, ++face) {
-        // no need to read the third halfedge: the pass takes the time of its accesses to the memory
+        // no need to read the third halfedge: the time of the pass is that of its cache misses
         const auto h0 = halfedge(*face, tmesh), h1 = next(h0, tmesh);
         have_three_edges &= unsigned(next(h1, tmesh) != h0);
         const auto v0 = target(h0, tmesh), v1 = target(h1, tmesh), v2 = source(h0, tmesh);

@@ -137,8 +137,8 @@ public:
                              });
   }
 
-  // Rotates a closed fan of lower and upper wedges in turn such that it begins with the lower wedge
-  // that has the lowest vertex: a beginning that does not depend on how the data structure
+  // Rotates a closed fan of alternating lower and upper wedges such that it begins with the lower
+  // wedge that has the lowest vertex: a beginning that does not depend on how the data structure
   // circulates.
   template <class Less>
   CGAL_REEB_GRAPH_COLD void begin_at_lowest_vertex(const TriangleMesh& tmesh, const Less& less)

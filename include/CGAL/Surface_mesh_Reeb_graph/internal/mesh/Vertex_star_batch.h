@@ -26,8 +26,8 @@ namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
 // The stars of several vertices that follow each other in the order. In memory such vertices lie
-// far apart, and every step around one of them waits for the memory. So the stars are read in turn:
-// while one waits, the others do too.
+// far apart, and every step around one of them is a cache miss. So the stars are read interleaved,
+// an edge of each, and their misses overlap.
 template <class TriangleMesh>
 class Vertex_star_batch
 {

@@ -24,8 +24,7 @@ namespace internal {
 // The arcs that come about when the branches on a side of a graph are zipped together with their
 // neighbors, and where the points of the arcs go that they are made of. Towards the side they
 // follow each other: the points of an arc that was zipped begin in one of the new arcs and go on to
-// those behind it, down to their own height. Links that skip a part of the way find it in O(log m)
-// time for m arcs.
+// those behind it, down to their own height. Jump pointers find it in O(log m) time for m arcs.
 class Zipped_arcs
 {
 public:

@@ -29,9 +29,9 @@ namespace internal {
 // The two rows of `eigenfunctions` (numbers of type `float` or `double`) that are farthest from
 // each other after multiplication of the columns with the given factors, which decrease from 1.
 //
-// First the farthest point from a point is taken in turn until the distance grows no more. In the
-// sphere around the middle of that pair, two points farther apart than the pair cannot both lie
-// inside; the pairs that this leaves are compared exactly. At large times one eigenfunction rules,
+// First the farthest point from a point is taken again and again until the distance grows no more.
+// In the sphere around the middle of that pair, two points farther apart than the pair cannot both
+// lie inside; the pairs that this leaves are compared exactly. At large times one function rules,
 // and few are left. On shapes so symmetric that all points are candidates (a sphere), or at times
 // so small that many eigenfunctions count, there may be too many: the comparison stops after half a
 // billion numbers, which takes about half a second. The pair found by then need not be the farthest

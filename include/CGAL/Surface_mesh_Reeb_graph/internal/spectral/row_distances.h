@@ -156,8 +156,8 @@ Eigen::VectorXd squared_distances(const Columns<Number>& columns,
                                   const Eigen::VectorXd& factors,
                                   const Eigen::VectorXd& point)
 {
-  // The sums stay in the nearest cache, and the parts of the columns are so long that they are
-  // fetched in advance.
+  // The sums stay in the first-level cache, and the parts of the columns are so long that the
+  // hardware prefetches them.
   constexpr Eigen::Index rows_per_block = 4096;
   Eigen::VectorXd result(columns.rows());
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
@@ -221,8 +221,7 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
     auto block = result.segment(begin, size).array();
     block.setZero();
     for (Eigen::Index i = 0; i < factors.size(); ++i) {
-      // the part that follows in the column: the parts are too short to be fetched in advance
-      // otherwise
+      // the part that follows in the column: the parts are too short for the hardware prefetcher
       constexpr Eigen::Index numbers_per_line = 64 / static_cast<Eigen::Index>(sizeof(Number));
       const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());
       for (Eigen::Index r = begin + rows_per_block; r < end; r += numbers_per_line)

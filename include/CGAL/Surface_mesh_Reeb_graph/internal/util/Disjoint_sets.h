@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Union-find over the numbers 0, 1, ... Which of two roots stays root is up to the caller: in the
-// graph algorithms the root has a meaning (the arc that goes on, the set of the older extremum).
-// Paths are halved, so any sequence of m operations takes O(m log m) time.
+// Disjoint sets (union-find) of the numbers 0, 1, ... Which of two roots stays root is up to the
+// caller: in the graph algorithms the root has a meaning (the arc that goes on, the set of the
+// older extremum). With path halving any sequence of m operations takes O(m log m) time.
 class Disjoint_sets
 {
 public:

@@ -23,9 +23,10 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Asks the system for large pages behind `size` objects of memory that was allocated but not used
-// yet. The first use of every small page costs as much as reading it several times, and on virtual
-// machines more than that. Where the system does not know such a thing, nothing happens.
+// Asks the system for huge pages behind `size` objects of memory that was allocated but not used
+// yet. The page fault at the first use of every small page costs as much as reading it several
+// times, and on virtual machines more than that. Where the system has no huge pages, nothing
+// happens.
 template <class T>
 void prefer_huge_pages(const T* data, std::size_t size)
 {

@@ -17,14 +17,14 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Works on tasks of many small steps, each of which waits for the memory: several of them in turn,
-// so that while one waits the others do too. `begin(task)` sets up the next task and returns false
-// if there is none, `advance(task)` takes a step and returns false if the task is done. The tasks
-// are objects that are used again.
+// Works on tasks of many small steps, each of which begins with a cache miss: several of them are
+// interleaved, so that their misses overlap (asynchronous memory access chaining, AMAC).
+// `begin(task)` sets up the next task and returns false if there is none, `advance(task)` takes a
+// step and returns false if the task is done. The tasks are objects that are used again.
 //
 // `stages` are what every step begins with. Each is done for all tasks before the next one, so that
-// what a stage reads has arrived when the next one needs it: a stage should read and not branch on
-// what it reads.
+// what a stage reads is in the cache when the next one needs it: a stage should read and not branch
+// on what it reads.
 template <class Task, class Begin, class Advance, class... Stages>
 void run_interleaved(std::vector<Task>& tasks,
                      const Begin& begin,
@@ -53,7 +53,7 @@ void run_interleaved(std::vector<Task>& tasks,
   }
 }
 
-// So many accesses to the memory can wait at the same time, more or less.
+// About as many cache misses as a processor can have outstanding.
 constexpr std::size_t number_of_interleaved_tasks = 16;
 
 } // namespace internal

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Says that the memory at an address will be needed soon.
+// Prefetches the cache line at an address.
 inline void prefetch([[maybe_unused]] const void* address)
 {
 #if defined(__GNUC__)
