@@ -409,4 +409,19 @@ BOOST_AUTO_TEST_CASE(global_locale_that_groups_digits)
   });
 }
 
+// So are the messages of exceptions.
+BOOST_AUTO_TEST_CASE(messages_under_a_locale_that_groups_digits)
+{
+  const Index_mesh mesh = torus(100, 50);
+  const Numbered_mesh<Mesh> input(mesh);
+  std::vector<double> values(mesh.points.size(), 0.);
+  values[1279] = std::numeric_limits<double>::quiet_NaN();
+  SMRG::Reeb_graph<Mesh> graph;
+  const Grouping_locale grouping;
+  BOOST_CHECK_EXCEPTION(
+      SMRG::compute_Reeb_graph(input.mesh, values_as_map(input, values), graph),
+      SMRG::Input_error,
+      [](const SMRG::Input_error& error) { return contains(error.what(), " 1279 "); });
+}
+
 BOOST_AUTO_TEST_SUITE_END()

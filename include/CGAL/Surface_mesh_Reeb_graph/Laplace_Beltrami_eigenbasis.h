@@ -36,6 +36,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -434,6 +435,7 @@ private:
       Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
       if (!pairs.have_converged && !accept_converged_part) {
         std::ostringstream message;
+        message.imbue(std::locale::classic());
         message << "the eigensolver did not converge: it found "
                 << (std::max)(pairs.values.size() - 1, Eigen::Index(0)) << " of " << wanted
                 << " eigenpairs";
@@ -507,6 +509,7 @@ private:
         break;
       }
       std::ostringstream message;
+      message.imbue(std::locale::classic());
       message << "eigenpair " << i << " has the relative residual " << residuals[i]
               << ", which is more than the tolerance " << tolerance;
       throw Numerical_error(message.str());

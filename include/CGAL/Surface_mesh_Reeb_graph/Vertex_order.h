@@ -28,7 +28,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <sstream>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -133,11 +133,9 @@ public:
 
   void check_value(vertex_descriptor v) const
   {
-    if (!CGAL::is_valid(value(v))) {
-      std::ostringstream message;
-      message << "the value of vertex " << get(m_vertex_index_map, v) << " is not a number";
-      throw Input_error(message.str());
-    }
+    if (!CGAL::is_valid(value(v)))
+      throw Input_error("the value of vertex " + std::to_string(get(m_vertex_index_map, v)) +
+                        " is not a number");
   }
 
   /// \endcond
@@ -256,12 +254,9 @@ bool has_distinct_numbers(std::size_t n)
 template <class Number>
 void check_distinct_numbers(std::size_t number_of_vertices)
 {
-  if (!has_distinct_numbers<Number>(number_of_vertices)) {
-    std::ostringstream message;
-    message << "the value type of the map is too small to number " << number_of_vertices
-            << " vertices";
-    throw Input_error(message.str());
-  }
+  if (!has_distinct_numbers<Number>(number_of_vertices))
+    throw Input_error("the value type of the map is too small to number " +
+                      std::to_string(number_of_vertices) + " vertices");
 }
 
 // All vertices of the mesh in their order. When this returns, the data can do nothing wrong any

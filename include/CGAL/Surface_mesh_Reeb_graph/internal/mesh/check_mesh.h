@@ -19,7 +19,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -33,9 +33,7 @@ template <class VertexDescriptor, class VertexIndexMap>
 [[noreturn]] void
 throw_at_vertex(const char* what, VertexDescriptor v, VertexIndexMap vertex_index_map)
 {
-  std::ostringstream message;
-  message << what << " (vertex " << get(vertex_index_map, v) << ')';
-  throw Input_error(message.str());
+  throw Input_error(what + (" (vertex " + std::to_string(get(vertex_index_map, v))) + ')');
 }
 
 // Whether what a halfedge refers to refers back to it as it must.

@@ -11,7 +11,6 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_SIMPLIFICATION_GRAPH_UPDATE_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/Vertex_order.h>
-#include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/arc_maps.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
@@ -21,6 +20,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Compacted_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -208,7 +208,7 @@ private:
         std::uint32_t& arc = list.points[i].arc;
         arc = compacted.position_of_arc[arc];
         if (arc == no_arc)
-          throw Internal_error("a vertex has gone to an arc that is not left");
+          throw_internal_error("a vertex has gone to an arc that is not left");
         if (has_nodes && arc_of_node[get(vertex_index_map, list.vertices[i])] != no_arc)
           arc = arc_of_node[get(vertex_index_map, list.vertices[i])];
       }
