@@ -34,6 +34,11 @@ random_tests()
   configure "$1" && build "$1" "${@:3}" && run_tests "$1" -R "^test_($2)\$" --timeout 36000
 }
 
+all_tests_with_sanitizers()
+{
+  REEB_GRAPH_TEST_CASES=300 configure sanitize && build sanitize && run_tests sanitize --timeout 36000
+}
+
 # What the fuzzer finds interesting is kept, and the next night goes on from there.
 fuzz()
 (
@@ -57,6 +62,7 @@ check "random tests" \
 check "random tests (sanitizers)" \
   random_tests sanitize 'compute_Reeb_graph|cancel_branches|close_loops|simplify_Reeb_graph' \
   --target test_compute_Reeb_graph test_cancel_branches test_close_loops test_simplify_Reeb_graph
+check "all tests (sanitizers)" all_tests_with_sanitizers
 check "fuzzing" fuzz
 
 echo "$passed passed, $failed failed"
