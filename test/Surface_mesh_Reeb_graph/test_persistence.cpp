@@ -281,10 +281,10 @@ BOOST_AUTO_TEST_CASE(any_graph_type_will_do)
   std::vector<SMRG::Persistence_pair<My_graph>> pairs;
   SMRG::persistence_pairs(graph, std::back_inserter(pairs));
   BOOST_REQUIRE(pairs.size() == 2u);
-  BOOST_TEST(pairs[0].kind == SMRG::Persistence_pair_kind::COMPONENT);
+  BOOST_TEST((pairs[0].kind == SMRG::Persistence_pair_kind::COMPONENT));
   BOOST_TEST((pairs[0].birth == nodes[1] && pairs[0].death == nodes[0]));
   BOOST_TEST(pairs[0].persistence() == std::ldexp(1., 64));
-  BOOST_TEST(pairs[1].kind == SMRG::Persistence_pair_kind::LOOP);
+  BOOST_TEST((pairs[1].kind == SMRG::Persistence_pair_kind::LOOP));
   BOOST_TEST((pairs[1].birth == nodes[3] && pairs[1].death == nodes[2]));
   BOOST_TEST((pairs[1].upper() == nodes[3] && pairs[1].lower() == nodes[2]));
   BOOST_TEST(pairs[1].persistence() == 1);

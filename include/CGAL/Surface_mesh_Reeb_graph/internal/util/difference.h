@@ -10,8 +10,10 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_DIFFERENCE_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_UTIL_DIFFERENCE_H
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
+#include <cstdint>
 #include <type_traits>
 
 namespace CGAL {
@@ -24,13 +26,13 @@ namespace internal {
 template <class FT>
 double difference(const FT& lower, const FT& upper)
 {
+  CGAL_precondition(!(upper < lower));
   if constexpr (std::is_floating_point<FT>::value) {
     return lower == upper ? 0. : static_cast<double>(upper - lower);
   } else if constexpr (std::is_integral<FT>::value) {
-    // in unsigned numbers the difference cannot overflow
-    using Unsigned = std::make_unsigned_t<FT>;
-    return static_cast<double>(
-        static_cast<Unsigned>(static_cast<Unsigned>(upper) - static_cast<Unsigned>(lower)));
+    // in unsigned numbers, modulo a power of two, the difference does not overflow
+    return static_cast<double>(static_cast<std::uintmax_t>(upper) -
+                               static_cast<std::uintmax_t>(lower));
   } else {
     return CGAL::to_double(upper - lower);
   }
