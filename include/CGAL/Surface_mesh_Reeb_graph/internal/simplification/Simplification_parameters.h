@@ -41,8 +41,8 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
   if constexpr (std::is_signed<Number>::value)
     CGAL_precondition_msg(number_of_leaves >= 0, "the number of leaves is negative");
   const Simplification_parameters result = {
-      choose_own_parameter(np, tags::persistence_threshold, 0.),
-      choose_own_parameter(np, tags::loop_persistence_threshold, 0.),
+      static_cast<double>(choose_own_parameter(np, tags::persistence_threshold, 0.)),
+      static_cast<double>(choose_own_parameter(np, tags::loop_persistence_threshold, 0.)),
       static_cast<std::size_t>(number_of_leaves),
       choose_own_parameter(np, tags::threshold_is_absolute, false)};
   CGAL_precondition_msg(result.threshold >= 0,
