@@ -357,9 +357,10 @@ private:
     if (!pairs.have_converged)
       throw Numerical_error("the eigenvalues of the projected matrix did not converge");
     const Eigen::Index pending = m_projected.rows() - size;
-    m_Ritz_values.resize(size);
-    m_Ritz_vectors.resize(size, size);
-    m_Ritz_couplings.resize(pending, size);
+    // new matrices, since Eigen's frees its memory again if there is none for another size
+    m_Ritz_values = Eigen::VectorXd(size);
+    m_Ritz_vectors = Eigen::MatrixXd(size, size);
+    m_Ritz_couplings = Eigen::MatrixXd(pending, size);
     m_Ritz_couplings.setZero();
     for (Eigen::Index j = 0; j < size; ++j) {
       m_Ritz_values[j] = pairs.values[size - 1 - j];

@@ -194,11 +194,10 @@ private:
                      std::vector<Arc>& new_arcs)
   {
     check_function(m_nodes, m_scalar_map);
-    for_each_arc_map([&](const auto& arc_map) { arc_map.check(m_arcs.size()); });
-
     const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(m_tmesh, m_np);
     const Vertex_order<TriangleMesh, VertexScalarMap, std::decay_t<decltype(vertex_index_map)>>
         order(m_tmesh, m_scalar_map, vertex_index_map);
+    for_each_arc_map([&](const auto& arc_map) { arc_map.check(m_arcs.size()); });
     const std::vector<std::uint32_t> arc_of_node = arcs_of_nodes(compacted, vertex_index_map);
     const auto move_to_arcs = [&](Vertices& list, bool has_nodes) {
       simplification.follow(list.points, [&](std::uint32_t i, std::uint32_t node) {
