@@ -435,7 +435,9 @@ private:
     if (suspect == 0)
       return true;
     const double least = (1 - coincidence) * suspect;
-    const Eigen::Index number_known = (m_Ritz_values.head(number).array() >= least).count();
+    const Eigen::Index number_known = std::count_if(m_Ritz_values.data(),
+                                                    m_Ritz_values.data() + number,
+                                                    [=](double nu) { return nu >= least; });
 
     const Eigen::Index kept = 2 * number / width + 1;
     keep_largest(kept);
@@ -451,7 +453,8 @@ private:
         multiply_next();
       const Eigen::VectorXd eigenvalues = eigenvalues_from(0);
       const bool is_missing = eigenvalues[eigenvalues.size() - 1 - number_known] >= least;
-      next = (std::min)((std::max)(next, eigenvalues_from(width * begin).maxCoeff()), least);
+      const Eigen::VectorXd searched = eigenvalues_from(width * begin); // they increase
+      next = (std::min)((std::max)(next, searched[searched.size() - 1]), least);
       // the other eigenvalues hide a missing one from the space, if they are close
       const double hiding = std::log((std::max)(1., next / (suspect - next))) / 2;
       const bool is_excluded =
@@ -487,8 +490,9 @@ private:
   {
     Eigenpairs result;
     result.have_converged = have_converged;
-    result.values = m_Ritz_values.head(number).unaryExpr(
-        [this](double nu) { return m_operator.to_eigenvalue(nu); });
+    result.values.resize(number);
+    for (Eigen::Index i = 0; i < number; ++i)
+      result.values[i] = m_operator.to_eigenvalue(m_Ritz_values[i]);
     if (number > 0) {
       keep_largest((number + width - 1) / width); // the basis itself has the eigenvectors then
       Row_block y = m_basis.new_block(m_operator.rows());

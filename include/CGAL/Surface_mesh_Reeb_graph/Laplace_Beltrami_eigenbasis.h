@@ -514,8 +514,8 @@ private:
               << ", which is more than the tolerance " << tolerance;
       throw Numerical_error(message.str());
     }
-    if (size > 1)
-      m_residual = (std::max)(m_residual, residuals.segment(1, size - 1).maxCoeff());
+    for (Eigen::Index i = 1; i < size; ++i)
+      m_residual = (std::max)(m_residual, residuals[i]);
     m_orthonormality_error = (std::max)(
         m_orthonormality_error, internal::orthonormality_error(matrices.mass, pairs.vectors, size));
     m_null_space_residual =
@@ -526,11 +526,13 @@ private:
     for (Eigen::Index i = 1; i < size; ++i)
       pairs.vectors.col(i - 1) = pairs.vectors.col(i);
     pairs.vectors.conservativeResize(Eigen::NoChange, size - 1);
-    for (auto psi : pairs.vectors.colwise()) {
-      Eigen::Index largest;
-      psi.cwiseAbs().maxCoeff(&largest);
-      if (psi[largest] < 0)
-        psi = -psi;
+    for (Eigen::Index k = 0; k < pairs.vectors.cols(); ++k) {
+      double* const psi = pairs.vectors.data() + k * pairs.vectors.rows();
+      double* const end = psi + pairs.vectors.rows();
+      const double largest =
+          *std::max_element(psi, end, [](double x, double y) { return std::abs(x) < std::abs(y); });
+      if (largest < 0)
+        std::transform(psi, end, psi, std::negate<double>());
     }
     if constexpr (std::is_same<Eigenfunction_number, double>::value)
       basis.eigenfunctions = std::move(pairs.vectors);

@@ -60,7 +60,8 @@ std::vector<std::size_t> without_neighbors(const Eigenbasis& basis,
                                            std::vector<std::pair<double, std::size_t>> points)
 {
   const auto& component_vertices = basis.component_vertices(c);
-  std::sort(points.rbegin(), points.rend());
+  std::sort(points.begin(), points.end());
+  std::reverse(points.begin(), points.end());
   std::vector<bool> is_kept(component_vertices.size(), false);
   std::vector<std::size_t> result;
   for (const std::pair<double, std::size_t>& point : points) {

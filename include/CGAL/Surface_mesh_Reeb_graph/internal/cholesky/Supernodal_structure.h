@@ -421,10 +421,10 @@ private:
       sorted.clear();
       for (StorageIndex c = at(children.first, s); c != none; c = at(children.next, c))
         sorted.push_back(c);
-      std::stable_sort(
-          sorted.begin(), sorted.end(), [&](const StorageIndex a, const StorageIndex b) {
-            return at(peak, a) - remains(a) > at(peak, b) - remains(b);
-          });
+      std::sort(sorted.begin(), sorted.end(), [&](const StorageIndex a, const StorageIndex b) {
+        const Index of_a = at(peak, a) - remains(a), of_b = at(peak, b) - remains(b);
+        return of_a != of_b ? of_a > of_b : a < b;
+      });
       Index sum = 0;
       for (const StorageIndex c : sorted) {
         at(peak, s) = (std::max)(at(peak, s), sum + at(peak, c));

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
@@ -71,7 +72,7 @@ public:
     }
     nodes.upper_path = follow(nodes.upper_halfedge, ascents);
     find_ends(nodes.upper_path, ascents, nodes.upper_end);
-    sort(nodes);
+    renumber(nodes, sorted_positions<ConcurrencyTag>(nodes.vertex, m_order));
   }
 
   // Finds the ends of the upward paths again, when there are cuts.
@@ -237,35 +238,6 @@ private:
         nodes.upper_halfedge[upper] = edge(other);
       }
     }
-  }
-
-  // The values are copied beside the nodes: reading them through property maps would miss the cache
-  // at every comparison.
-  void sort(Nodes& nodes) const
-  {
-    struct Keyed_node
-    {
-      typename VertexOrder::FT value;
-      std::uint32_t node;
-    };
-    std::vector<Keyed_node> keyed;
-    keyed.reserve(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      keyed.push_back({m_order.value(nodes.vertex[i]), static_cast<std::uint32_t>(i)});
-    internal::sort<ConcurrencyTag>(
-        keyed.begin(), keyed.end(), [&](const Keyed_node& a, const Keyed_node& b) {
-          if (a.value < b.value)
-            return true;
-          if (b.value < a.value)
-            return false;
-          const vertex_descriptor u = nodes.vertex[a.node], v = nodes.vertex[b.node];
-          return u == v ? a.node < b.node : m_order(u, v);
-        });
-    std::vector<std::uint32_t> mesh_number;
-    mesh_number.reserve(keyed.size());
-    for (const Keyed_node& k : keyed)
-      mesh_number.push_back(k.node);
-    renumber(nodes, mesh_number);
   }
 
   // The passes over the nodes are much faster if nodes that follow each other lie side by side.

@@ -74,8 +74,7 @@ public:
                                (std::max)(std::int64_t(1), std::int64_t(nodes.size()));
     std::atomic<std::int64_t> reserve(share * std::int64_t(nodes.size()));
     for_each_range<ConcurrencyTag>(nodes.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<Walking> tasks((std::min)(end - begin, number_of_interleaved_tasks),
-                                 Walking(*this));
+      std::vector<Walking> tasks((std::min)(end - begin, number_of_interleaved_tasks));
       // some steps at a time, since the atomic numbers are contended
       constexpr std::int64_t most_steps = 256;
       std::int64_t steps = 0;
@@ -121,10 +120,6 @@ public:
 private:
   struct Walking
   {
-    explicit Walking(const Level_set_component_finder& finder)
-      : walks(finder.m_tmesh, finder.m_has_border)
-    {}
-
     Lockstep_walks<TriangleMesh> walks;
     Star star;
     vertex_descriptor vertex;
@@ -135,7 +130,7 @@ private:
   {
     walking.vertex = m_nodes.vertex[node];
     walking.star.read(walking.vertex, m_tmesh, m_order);
-    walking.walks.clear();
+    walking.walks.clear(m_tmesh, m_has_border);
     for (const auto& wedge : walking.star.wedges)
       if (!wedge.is_upper)
         walking.walks.add_wedge(walking.star.halfedges[wedge.begin],

@@ -11,18 +11,20 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_LOCKSTEP_WALKS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Level_set_walk.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -47,12 +49,11 @@ class Lockstep_walks
   using Walk = Level_set_walk<TriangleMesh>;
 
 public:
-  Lockstep_walks(const TriangleMesh& tmesh, bool has_border)
-    : m_tmesh(tmesh), m_has_border(has_border), m_most_steps(num_halfedges(tmesh))
-  {}
-
-  void clear()
+  // Is to be called first, for every vertex.
+  void clear(const TriangleMesh& tmesh, bool has_border)
   {
+    m_tmesh = &tmesh;
+    m_has_border = has_border;
     m_wedges.clear();
     m_sets = Disjoint_sets();
     crossed.clear();
@@ -99,7 +100,7 @@ public:
   void read_crossings()
   {
     for (Turn& turn : m_turns)
-      turn.crossing = turn.walk.crossing(m_tmesh);
+      turn.crossing = turn.walk.crossing(*m_tmesh);
   }
 
   template <class IsAbove>
@@ -112,9 +113,7 @@ public:
   // Lets every walk around `v` take a step. Returns false if all is known.
   bool advance(vertex_descriptor v)
   {
-    // a walk crosses an edge once at most
-    if (++m_number_of_steps > m_most_steps)
-      throw_internal_error("a walk along a level set does not end");
+    check_walk(++m_number_of_steps, *m_tmesh);
     for (std::size_t i = 0; i < m_turns.size() && !is_done();) {
       if (take_turn(m_turns[i], v)) {
         ++i;
@@ -163,7 +162,7 @@ private:
 
   Walk forward_walk(std::uint32_t i) const
   {
-    return Walk(opposite(m_wedges[i].first, m_tmesh), true);
+    return Walk(opposite(m_wedges[i].first, *m_tmesh), true);
   }
 
   Walk backward_walk(std::uint32_t i) const { return Walk(m_wedges[i].last, false); }
@@ -172,7 +171,8 @@ private:
   std::uint32_t wedge_of_arrival(const Walk& walk) const
   {
     const bool is_forward = walk.is_forward();
-    const halfedge_descriptor h = is_forward ? opposite(walk.halfedge(), m_tmesh) : walk.halfedge();
+    const halfedge_descriptor h =
+        is_forward ? opposite(walk.halfedge(), *m_tmesh) : walk.halfedge();
     if (number_of_wedges() > LINEAR_SEARCH_BOUND) {
       const auto& wedges = is_forward ? m_wedge_of_last : m_wedge_of_first;
       const auto found = wedges.find(h);
@@ -194,15 +194,15 @@ private:
     // another walk may have come the other way
     if (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known)
       return false;
-    if (walk.is_at_border(m_tmesh)) {
+    if (walk.is_at_border(*m_tmesh)) {
       (walk.is_forward() ? wedge.first_is_known : wedge.last_is_known) = true;
       close_ends(turn.wedge, 1);
       return false;
     }
-    walk.cross(turn.crossing, turn.is_vertex_above, m_tmesh);
+    walk.cross(turn.crossing, turn.is_vertex_above, *m_tmesh);
     if (turn.crossing.vertex != v) {
       crossed.emplace_back(
-          turn.wedge, walk.is_forward() ? walk.halfedge() : opposite(walk.halfedge(), m_tmesh));
+          turn.wedge, walk.is_forward() ? walk.halfedge() : opposite(walk.halfedge(), *m_tmesh));
       return true;
     }
     const std::uint32_t other = wedge_of_arrival(walk);
@@ -235,14 +235,15 @@ private:
 
   static constexpr std::uint32_t LINEAR_SEARCH_BOUND = 8;
 
-  const TriangleMesh& m_tmesh;
-  bool m_has_border;
+  const TriangleMesh* m_tmesh = nullptr;
+  bool m_has_border = false;
   std::vector<Wedge> m_wedges;
   Disjoint_sets m_sets; // of wedges
-  boost::unordered_map<halfedge_descriptor, std::uint32_t> m_wedge_of_first, m_wedge_of_last;
+  std::unordered_map<halfedge_descriptor, std::uint32_t, boost::hash<halfedge_descriptor>>
+      m_wedge_of_first, m_wedge_of_last;
   std::vector<Turn> m_turns;
   std::uint32_t m_number_of_unfinished = 0;
-  std::size_t m_number_of_steps = 0, m_most_steps; // of every walk
+  std::size_t m_number_of_steps = 0; // of every walk
 };
 
 } // namespace internal

@@ -23,7 +23,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/interleaved_tasks.h>
 
 #include <CGAL/assertions.h>
 
@@ -234,37 +233,19 @@ private:
   CGAL_REEB_GRAPH_COLD void walk_along_cuts()
   {
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
-      struct Task
-      {
-        Walk walk = Walk(halfedge_descriptor(), true);
-        vertex_descriptor vertex;
-        std::uint32_t leaf;
-        std::size_t number_of_steps = 0;
-      };
-      std::vector<Task> tasks((std::min)(end - begin, number_of_interleaved_tasks));
       Cutter cutter(m_tmesh, m_nodes, m_ascents);
-      run_interleaved(
-          tasks,
-          [&](Task& task) {
-            if (begin == end)
-              return false;
-            task.walk = m_cut_walks[begin].walk;
-            task.leaf = m_cut_walks[begin].leaf;
-            task.number_of_steps = 0;
-            task.vertex = m_nodes.vertex[saddle_of_leaf(task.leaf)];
-            ++begin;
-            return true;
-          },
-          [&](Task& task) {
-            if (task.walk.is_at_border(m_tmesh))
-              return false;
-            check_walk(++task.number_of_steps, m_tmesh);
-            const vertex_descriptor v = task.walk.step(m_tmesh, is_below(task.vertex));
-            // in the reversed order of these walks, forward is down
-            const halfedge_descriptor h = task.walk.halfedge();
-            cutter.cut(task.walk.is_forward() ? h : opposite(h, m_tmesh), task.leaf);
-            return v != task.vertex;
-          });
+      for (std::size_t i = begin; i < end; ++i) {
+        Walk walk = m_cut_walks[i].walk;
+        const vertex_descriptor saddle = m_nodes.vertex[saddle_of_leaf(m_cut_walks[i].leaf)];
+        std::size_t number_of_steps = 0;
+        for (bool is_at_saddle = false; !is_at_saddle && !walk.is_at_border(m_tmesh);) {
+          check_walk(++number_of_steps, m_tmesh);
+          is_at_saddle = walk.step(m_tmesh, is_below(saddle)) == saddle;
+          // in the reversed order of these walks, forward is down
+          const halfedge_descriptor h = walk.halfedge();
+          cutter.cut(walk.is_forward() ? h : opposite(h, m_tmesh), m_cut_walks[i].leaf);
+        }
+      }
       const std::lock_guard<std::mutex> lock(m_mutex);
       m_cutter.cuts.insert(m_cutter.cuts.end(), cutter.cuts.begin(), cutter.cuts.end());
     });

@@ -14,10 +14,11 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -92,7 +93,8 @@ private:
   vertex_descriptor m_vertex;
   std::uint32_t m_path = Paths::no_path;
   halfedge_descriptor m_way_out;
-  boost::unordered_map<halfedge_descriptor, std::uint32_t> m_path_through_edge;
+  std::unordered_map<halfedge_descriptor, std::uint32_t, boost::hash<halfedge_descriptor>>
+      m_path_through_edge;
 };
 
 } // namespace internal

@@ -98,9 +98,8 @@ public:
     for (const Piece& piece : m_pieces)
       if (piece.is_upper && !piece.is_used)
         components.push_back({piece.root, piece.lowest, false});
-    std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
-      return a.lowest < b.lowest;
-    });
+    if (components.size() > 1)
+      sort_components(number);
   }
 
   // To be called for every component that `pass()` has made.
@@ -194,6 +193,20 @@ private:
     add_piece({right, after, right_gap});
   }
 
+  // By `lowest`: these are different numbers, less than that of the runs.
+  void sort_components(std::size_t number_of_runs)
+  {
+    m_component_of_lowest.assign(number_of_runs, {no_element, 0, false});
+    for (const Component& component : components) {
+      CGAL_assertion(m_component_of_lowest[component.lowest].root == no_element);
+      m_component_of_lowest[component.lowest] = component;
+    }
+    components.clear();
+    for (const Component& component : m_component_of_lowest)
+      if (component.root != no_element)
+        components.push_back(component);
+  }
+
   void put_in(std::vector<Run>& runs, std::size_t i)
   {
     Run& run = runs[i];
@@ -241,6 +254,7 @@ private:
   std::vector<State> m_states; // of components, by the numbers of their sequences
   std::vector<Piece> m_pieces;
   std::vector<std::size_t> m_left_of_gap, m_right_of_gap; // pieces that end there
+  std::vector<Component> m_component_of_lowest;
 };
 
 } // namespace internal

@@ -18,12 +18,13 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -60,7 +61,8 @@ public:
     m_star.begin_at_lowest_vertex(m_tmesh, m_order);
 
     const std::size_t k = m_star.wedges.size() / 2;
-    boost::unordered_map<halfedge_descriptor, std::uint32_t> wedge_of_last;
+    std::unordered_map<halfedge_descriptor, std::uint32_t, boost::hash<halfedge_descriptor>>
+        wedge_of_last;
     for (std::size_t w = 0; w < k; ++w)
       wedge_of_last.emplace(m_star.halfedges[m_star.wedges[2 * w].end - 1],
                             static_cast<std::uint32_t>(w));

@@ -11,6 +11,7 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_BUILD_MERGE_FORESTS_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Merge_forest.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
@@ -23,24 +24,24 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Makes a forest that is empty and has room for all names: visits the nodes in the given order and
-// merges the components that their wedges lead to, which are told by nodes in them, the ends of the
-// wedges. The sequence may hold more names than there are nodes:
-// those of leaves, which are components of their own. If `component_of_wedge` is given, it receives
-// for every wedge the last node of its component, the child that the component has in the forest.
-template <class Iterator>
-void merge_components(Iterator begin,
-                      Iterator end,
-                      const std::vector<std::uint32_t>& wedge_begin,
-                      const std::vector<std::uint32_t>& wedge_end,
-                      Merge_forest& forest,
-                      std::vector<std::uint32_t>* component_of_wedge = nullptr)
+// Makes a forest that is empty and has room for all names: visits the nodes in the given order, for
+// the side ABOVE in the reverse one, and merges the components that their wedges lead to, which are
+// told by nodes in them, the ends of the wedges. The sequence may hold more names than there are
+// nodes: those of leaves, which are components of their own. If `component_of_wedge` is given, it
+// receives for every wedge the last node of its component, the child that the component has in the
+// forest.
+inline void merge_components(Side side,
+                             const std::vector<std::uint32_t>& sequence,
+                             const std::vector<std::uint32_t>& wedge_begin,
+                             const std::vector<std::uint32_t>& wedge_end,
+                             Merge_forest& forest,
+                             std::vector<std::uint32_t>* component_of_wedge = nullptr)
 {
   const std::size_t number_of_nodes = wedge_begin.size() - 1;
   Disjoint_sets sets(forest.size()); // the last node visited is the root
   std::vector<std::uint32_t> components;
-  for (Iterator i = begin; i != end; ++i) {
-    const std::uint32_t node = *i;
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    const std::uint32_t node = sequence[side == BELOW ? i : sequence.size() - 1 - i];
     if (node >= number_of_nodes)
       continue;
     components.clear();
@@ -66,7 +67,7 @@ void merge_sublevel_sets(const Nodes& nodes,
                          Merge_forest& forest)
 {
   forest.clear(sequence.size());
-  merge_components(sequence.begin(), sequence.end(), nodes.lower_begin, nodes.lower_end, forest);
+  merge_components(BELOW, sequence, nodes.lower_begin, nodes.lower_end, forest);
 }
 
 // The forest of superlevel sets.
@@ -79,12 +80,7 @@ void merge_superlevel_sets(const Nodes& nodes,
   forest.clear(sequence.size());
   if (component_of_wedge != nullptr)
     component_of_wedge->resize(nodes.upper_end.size());
-  merge_components(sequence.rbegin(),
-                   sequence.rend(),
-                   nodes.upper_begin,
-                   nodes.upper_end,
-                   forest,
-                   component_of_wedge);
+  merge_components(ABOVE, sequence, nodes.upper_begin, nodes.upper_end, forest, component_of_wedge);
 }
 
 } // namespace internal

@@ -11,15 +11,19 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_MESH_VERTEX_STAR_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,9 +44,20 @@ void sort_by_lowest_vertices(std::vector<Lowest_vertex<VertexDescriptor>>& wedge
                              const VertexOrder& order)
 {
   using Lowest = Lowest_vertex<VertexDescriptor>;
-  std::sort(wedges.begin(), wedges.end(), [&](const Lowest& a, const Lowest& b) {
-    return order(a.vertex, b.vertex);
-  });
+  constexpr std::size_t few = 16;
+  if (wedges.size() > few) {
+    std::vector<VertexDescriptor> vertices;
+    for (const Lowest& wedge : wedges)
+      vertices.push_back(wedge.vertex);
+    std::vector<Lowest> sorted;
+    for (const std::uint32_t i : sorted_positions<CGAL::Sequential_tag>(vertices, order))
+      sorted.push_back(wedges[i]);
+    wedges = std::move(sorted);
+    return;
+  }
+  for (std::size_t i = 1; i < wedges.size(); ++i) // insertion sort
+    for (std::size_t k = i; k > 0 && order(wedges[k].vertex, wedges[k - 1].vertex); --k)
+      std::swap(wedges[k - 1], wedges[k]);
 }
 
 // The edges around a vertex in cyclic order, and their wedges: runs of edges that lead to the same

@@ -18,37 +18,56 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Sorts vertices into increasing order. The values are copied beside the vertices: sorting through
-// property maps would miss the cache at every comparison.
+// The positions of vertices in increasing order of these; the same vertex may be there more than
+// once. The values are copied beside the positions: sorting through property maps would miss the
+// cache at every comparison.
 template <class ConcurrencyTag, class VertexDescriptor, class VertexOrder>
-void sort_vertices(std::vector<VertexDescriptor>& vertices, const VertexOrder& order)
+std::vector<std::uint32_t>
+sorted_positions(const std::vector<VertexDescriptor>& vertices, const VertexOrder& order)
 {
-  struct Keyed_vertex
+  struct Keyed_position
   {
     typename VertexOrder::FT value;
-    VertexDescriptor vertex;
+    std::uint32_t position;
   };
 
-  std::vector<Keyed_vertex> keyed;
+  std::vector<Keyed_position> keyed;
   keyed.reserve(vertices.size());
-  for (const VertexDescriptor v : vertices)
-    keyed.push_back({order.value(v), v});
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    keyed.push_back({order.value(vertices[i]), static_cast<std::uint32_t>(i)});
   sort<ConcurrencyTag>(
-      keyed.begin(), keyed.end(), [&](const Keyed_vertex& a, const Keyed_vertex& b) {
+      keyed.begin(), keyed.end(), [&](const Keyed_position& a, const Keyed_position& b) {
         if (a.value < b.value)
           return true;
         if (b.value < a.value)
           return false;
-        return order(a.vertex, b.vertex);
+        const VertexDescriptor u = vertices[a.position], v = vertices[b.position];
+        return u == v ? a.position < b.position : order(u, v);
       });
-  for (std::size_t i = 0; i < keyed.size(); ++i)
-    vertices[i] = keyed[i].vertex;
+  std::vector<std::uint32_t> result;
+  result.reserve(keyed.size());
+  for (const Keyed_position& k : keyed)
+    result.push_back(k.position);
+  return result;
+}
+
+// Sorts vertices into increasing order.
+template <class ConcurrencyTag, class VertexDescriptor, class VertexOrder>
+void sort_vertices(std::vector<VertexDescriptor>& vertices, const VertexOrder& order)
+{
+  std::vector<VertexDescriptor> sorted;
+  sorted.reserve(vertices.size());
+  for (const std::uint32_t i : sorted_positions<ConcurrencyTag>(vertices, order))
+    sorted.push_back(vertices[i]);
+  vertices = std::move(sorted);
 }
 
 // All vertices in increasing order.

@@ -14,10 +14,12 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Zipped_arcs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/counting_sort.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -64,28 +66,25 @@ public:
 
   void run()
   {
-    std::sort(m_branches.begin(), m_branches.end(), [this](const Branch& a, const Branch& b) {
-      return lies_towards(m_side, b.saddle, a.saddle);
-    });
-    auto branch = m_branches.begin();
     const std::uint32_t size = static_cast<std::uint32_t>(m_graph.number_of_nodes());
+    std::vector<Branch> sorted(m_branches.size());
+    const std::vector<std::size_t> begin = counting_sort(
+        m_branches.size(),
+        size,
+        [this](std::size_t i) { return m_branches[i].saddle; },
+        [&](std::size_t position, std::size_t i) { sorted[position] = m_branches[i]; });
     for (std::uint32_t i = 0; i < size; ++i) {
       const std::uint32_t node = m_side == BELOW ? size - 1 - i : i;
-      const auto begin = branch;
-      while (branch != m_branches.end() && branch->saddle == node)
-        ++branch;
+      CGAL_assertion(m_graph.is_node(node) || begin[node] == begin[node + 1]);
       if (m_graph.is_node(node))
-        pass(node, begin, branch);
+        pass(node, sorted.data() + begin[node], sorted.data() + begin[node + 1]);
     }
-    CGAL_assertion(branch == m_branches.end());
     m_graph.replace(std::move(m_zipped), m_first, m_next_to);
     for (std::uint32_t node = 0; node < size; ++node)
       m_graph.pass_through_if_regular(node);
   }
 
 private:
-  using Branch_iterator = std::vector<Branch>::const_iterator;
-
   std::uint32_t strand(std::uint32_t arc) { return m_strand[m_sets.root(arc)]; }
 
   // Whether an arc lies in a strand with others.
@@ -110,14 +109,14 @@ private:
     m_sets.join(other, arc);
   }
 
-  void pass(std::uint32_t node, Branch_iterator begin, Branch_iterator end)
+  void pass(std::uint32_t node, const Branch* begin, const Branch* end)
   {
     read_arcs(opposite_side(m_side), node, m_incoming);
     read_arcs(m_side, node, m_outgoing);
     arrive(node);
     if (m_arc_that_goes_on != no_arc)
       lead_on();
-    for (Branch_iterator branch = begin; branch != end; ++branch)
+    for (const Branch* branch = begin; branch != end; ++branch)
       join(branch->other_arc, branch->arc);
     if (m_arriving.size() == 1 && !m_has_arcs_that_end && are_one_set(m_outgoing))
       pass_by(node);

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/read_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/write_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Compacted_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
@@ -24,6 +25,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -244,7 +246,7 @@ private:
     for (std::size_t i = 0; i < list.points.size(); ++i)
       new_arcs[list.points[i].arc].vertices.push_back(list.vertices[i]);
     for (Arc& arc : new_arcs)
-      std::sort(arc.vertices.begin(), arc.vertices.end(), order);
+      sort_vertices<CGAL::Sequential_tag>(arc.vertices, order);
   }
 
   const TriangleMesh& m_tmesh;

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -114,10 +115,14 @@ private:
                               : half_of_difference(m_values[pair.saddle], m_values[pair.extremum]);
       return half == 0 ? 0. : half / half_ranges[pair.extremum];
     };
-    std::stable_sort(
-        pairs.begin(), pairs.end(), [&](const Extremum_pair& p, const Extremum_pair& q) {
-          return relative_persistence(p) < relative_persistence(q);
-        });
+    std::vector<std::pair<double, std::size_t>> keyed;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      keyed.emplace_back(relative_persistence(pairs[i]), i);
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<Extremum_pair> sorted;
+    for (const auto& [persistence, i] : keyed)
+      sorted.push_back(pairs[i]);
+    pairs = std::move(sorted);
   }
 
   const std::vector<double>& m_values;

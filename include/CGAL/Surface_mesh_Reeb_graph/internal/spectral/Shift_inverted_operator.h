@@ -109,9 +109,7 @@ public:
     CGAL_precondition(shift > 0);
     // A copy of Eigen's matrix takes less memory than one that is made entry by entry.
     if constexpr (std::is_same_v<Matrix, Eigen::SparseMatrix<double>>) {
-      m_shifted = stiffness;
-      for (Eigen::Index i = 0; i < rows(); ++i)
-        m_shifted.coeffRef(i, i) += shift * mass[i];
+      add_diagonal(stiffness, shift, mass, m_shifted);
     } else if constexpr (Is_CGAL_Eigen_matrix<Matrix>::value) {
       Matrix(stiffness).swap(m_shifted);
       for (Eigen::Index i = 0; i < rows(); ++i)
@@ -198,8 +196,9 @@ public:
     Row_block product;
     for_blocks(a, [&](Eigen::Index begin, Eigen::Index width, Row_block& block) {
       apply(block, product);
-      for (Eigen::Index j = 0; j < width; ++j)
-        a.col(begin + j) = product.col(j);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < width; ++j)
+          a(i, begin + j) = product(i, j);
     });
     for (Eigen::Index j = 0; j < n; ++j)
       for (Eigen::Index i = j; i < n; ++i)
@@ -222,7 +221,7 @@ public:
     for (Eigen::Index i = 0; i < number; ++i) {
       nu[i] = all.values[n - 1 - i];
       result.values[i] = to_eigenvalue(nu[i]);
-      result.vectors.col(i) = all.vectors.col(n - 1 - i);
+      std::copy_n(all.vectors.data() + (n - 1 - i) * n, n, result.vectors.data() + i * n);
     }
     to_eigenfunctions(result.vectors, nu);
     return result;
@@ -242,6 +241,30 @@ private:
           block(i, j) = columns(i, begin + j);
       f(begin, width, block);
     }
+  }
+
+  // `result = a + factor D` for the diagonal matrix of `d`.
+  static void add_diagonal(const Eigen::SparseMatrix<double>& a,
+                           double factor,
+                           const Eigen::VectorXd& d,
+                           Eigen::SparseMatrix<double>& result)
+  {
+    result.reserve(a.nonZeros() + a.cols());
+    for (Eigen::Index j = 0; j < a.cols(); ++j) {
+      result.startVec(j);
+      Eigen::SparseMatrix<double>::InnerIterator it(a, j);
+      for (; it && it.row() < j; ++it)
+        result.insertBack(it.row(), j) = it.value();
+      double& diagonal = result.insertBack(j, j);
+      diagonal = factor * d[j];
+      if (it && it.row() == j) {
+        diagonal += it.value();
+        ++it;
+      }
+      for (; it; ++it)
+        result.insertBack(it.row(), j) = it.value();
+    }
+    result.finalize();
   }
 
   static Matrix make_matrix(Eigen::Index n)

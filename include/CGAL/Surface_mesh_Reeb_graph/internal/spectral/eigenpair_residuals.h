@@ -29,6 +29,16 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
+// `A x` for a column of numbers.
+inline Eigen::VectorXd sparse_product(const Eigen::SparseMatrix<double>& a, const double* x)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(a.rows());
+  for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(a, j); it; ++it)
+      result[it.row()] += it.value() * x[j];
+  return result;
+}
+
 // `||L psi - lambda M psi|| / (lambda ||M psi||)` of every pair; without meaning for `lambda == 0`.
 CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline Eigen::VectorXd
 relative_residuals(const Eigen::SparseMatrix<double>& stiffness,
@@ -38,12 +48,14 @@ relative_residuals(const Eigen::SparseMatrix<double>& stiffness,
   CGAL_precondition(pairs.vectors.rows() == mass.size());
   CGAL_precondition(pairs.vectors.cols() == pairs.values.size());
   Eigen::VectorXd result(pairs.values.size());
-  Eigen::VectorXd l_psi(mass.size()), m_psi(mass.size());
   for (Eigen::Index i = 0; i < result.size(); ++i) {
-    l_psi.noalias() = stiffness * pairs.vectors.col(i);
-    m_psi = mass.cwiseProduct(pairs.vectors.col(i));
-    l_psi -= pairs.values[i] * m_psi;
-    result[i] = l_psi.norm() / (pairs.values[i] * m_psi.norm());
+    const double* const psi = pairs.vectors.data() + i * pairs.vectors.rows();
+    Eigen::VectorXd residual = sparse_product(stiffness, psi), m_psi(mass.size());
+    for (Eigen::Index r = 0; r < mass.size(); ++r) {
+      m_psi[r] = mass[r] * psi[r];
+      residual[r] -= pairs.values[i] * m_psi[r];
+    }
+    result[i] = residual.norm() / (pairs.values[i] * m_psi.norm());
   }
   return result;
 }
@@ -93,7 +105,7 @@ CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE inline double
 null_space_residual(const Eigen::SparseMatrix<double>& stiffness)
 {
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(stiffness.cols());
-  return (stiffness * ones).norm() / (stiffness.norm() * ones.norm());
+  return sparse_product(stiffness, ones.data()).norm() / (stiffness.norm() * ones.norm());
 }
 
 } // namespace internal

@@ -35,35 +35,34 @@ inline bool is_diffusion_time(double time)
   return time >= 0 && std::isfinite(time);
 }
 
-// Of increasing eigenvalues that are not zero; there may be none.
-inline Eigen::ArrayXd normalized(const Eigen::VectorXd& eigenvalues)
+// A function of the eigenvalues divided by the first one. They increase and are not zero; there may
+// be none.
+template <class Function>
+Eigen::VectorXd factors_of(const Eigen::VectorXd& eigenvalues, const Function& function)
 {
-  return eigenvalues.array() / (eigenvalues.size() == 0 ? 1 : eigenvalues[0]);
-}
-
-// Eigen's own function for whole arrays never gets below 5e-309.
-inline Eigen::VectorXd exponential(const Eigen::ArrayXd& x)
-{
-  return x.unaryExpr([](double value) { return std::exp(value); });
+  Eigen::VectorXd result(eigenvalues.size());
+  for (Eigen::Index i = 0; i < eigenvalues.size(); ++i)
+    result[i] = function(eigenvalues[i] / eigenvalues[0]);
+  return result;
 }
 
 // Eq. 8 of the paper. The factors of the differences, not of their squares, so that the range of
 // numbers ends where that of the distances does.
 inline Eigen::VectorXd diffusion_factors(const Eigen::VectorXd& eigenvalues, double time)
 {
-  return exponential(-time * normalized(eigenvalues));
+  return factors_of(eigenvalues, [&](double lambda) { return std::exp(-time * lambda); });
 }
 
 // The same without the factor `exp(-t)` that all have in common: the first one is 1 at any time.
 inline Eigen::VectorXd relative_diffusion_factors(const Eigen::VectorXd& eigenvalues, double time)
 {
-  return exponential(-time * (normalized(eigenvalues) - 1));
+  return factors_of(eigenvalues, [&](double lambda) { return std::exp(-time * (lambda - 1)); });
 }
 
 // Eq. 9 of the paper.
 inline Eigen::VectorXd commute_time_factors(const Eigen::VectorXd& eigenvalues)
 {
-  return normalized(eigenvalues).inverse().sqrt();
+  return factors_of(eigenvalues, [](double lambda) { return std::sqrt(1 / lambda); });
 }
 
 // How many of the decreasing factors are more than `negligible`.

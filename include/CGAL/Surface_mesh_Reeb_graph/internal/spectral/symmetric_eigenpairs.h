@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -161,7 +160,8 @@ public:
         --begin;
       step(begin, end);
     }
-    return m_d.allFinite();
+    return std::all_of(
+        m_d.data(), m_d.data() + m_d.size(), [](double x) { return std::isfinite(x); });
   }
 
 private:
@@ -234,15 +234,14 @@ symmetric_eigenpairs(Eigen::MatrixXd a, bool with_vectors = true)
   if (with_vectors)
     tridiagonalization.apply(z);
 
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
-  std::iota(order.begin(), order.end(), Eigen::Index(0));
-  std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
-    return d[i] < d[j] || (d[i] == d[j] && i < j);
-  });
+  std::vector<std::pair<double, std::size_t>> order;
+  for (Eigen::Index i = 0; i < n; ++i)
+    order.emplace_back(d[i], static_cast<std::size_t>(i));
+  std::sort(order.begin(), order.end());
   result.values.resize(n);
   result.vectors.resize(n, with_vectors ? n : 0);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = order[static_cast<std::size_t>(i)];
+    const auto from = static_cast<Eigen::Index>(order[static_cast<std::size_t>(i)].second);
     result.values[i] = scale * d[from];
     if (with_vectors)
       result.vectors.col(i) = z.col(from);
