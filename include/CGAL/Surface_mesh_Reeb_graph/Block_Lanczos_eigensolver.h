@@ -170,7 +170,8 @@ private:
   {
     compute_Ritz_pairs();
     const Eigen::Index converged = (std::min)(number, number_converged());
-    m_progress = (std::max)(m_progress, static_cast<double>(converged) / number);
+    m_progress =
+        (std::max)(m_progress, static_cast<double>(converged) / static_cast<double>(number));
     return converged == number;
   }
 

@@ -115,8 +115,9 @@ public:
     while (begin < size && !begins_wedge(begin))
       ++begin;
     if (begin != 0 && begin != size) { // a closed fan that leads to one side begins anywhere
-      std::rotate(halfedges.begin(), halfedges.begin() + begin, halfedges.end());
-      std::rotate(m_is_above.begin(), m_is_above.begin() + begin, m_is_above.end());
+      const auto first = static_cast<std::ptrdiff_t>(begin);
+      std::rotate(halfedges.begin(), halfedges.begin() + first, halfedges.end());
+      std::rotate(m_is_above.begin(), m_is_above.begin() + first, m_is_above.end());
     }
     for (std::size_t i = 0; i < size; ++i) {
       if (i == 0 || begins_wedge(i))

@@ -116,10 +116,12 @@ private:
       return half == 0 ? 0. : half / half_ranges[pair.extremum];
     };
     std::vector<std::pair<double, std::size_t>> keyed;
+    keyed.reserve(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
       keyed.emplace_back(relative_persistence(pairs[i]), i);
     std::sort(keyed.begin(), keyed.end());
     std::vector<Extremum_pair> sorted;
+    sorted.reserve(pairs.size());
     for (const auto& [persistence, i] : keyed)
       sorted.push_back(pairs[i]);
     pairs = std::move(sorted);

@@ -53,7 +53,7 @@ namespace internal {
 template <class Scalar, int width>
 struct Vector_type
 {
-  typedef Scalar type __attribute__((vector_size(width * sizeof(Scalar))));
+  using type __attribute__((vector_size(width * sizeof(Scalar)))) = Scalar;
 };
 
 template <class Scalar, int width>
