@@ -55,7 +55,7 @@ fuzz()
 )
 
 start_log "$root/build/nightly.log"
-install_missing g++ clang libclang-rt-dev cmake make libcgal-dev libeigen3-dev libspectra-dev \
+install_missing g++ clang libclang-rt-dev cmake jq make libcgal-dev libeigen3-dev libspectra-dev \
   libboost-dev libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev
 
 # The agreement with VTK is there where VTK is.
@@ -65,6 +65,10 @@ check "random tests (sanitizers)" \
   random_tests sanitize 'compute_Reeb_graph|cancel_branches|close_loops|simplify_Reeb_graph' \
   --target test_compute_Reeb_graph test_cancel_branches test_close_loops test_simplify_Reeb_graph
 check "all tests (sanitizers)" all_tests_with_sanitizers
+if [ -d "$root/../shared/data" ]; then
+  check "data (sanitizers)" "$root/test/check_data.sh" "$root/../shared/data" \
+    "$root/build/sanitize/examples/Surface_mesh_Reeb_graph/reeb_graph"
+fi
 check "fuzzing" fuzz
 
 echo "$passed passed, $failed failed"
