@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Mesh_components.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Laplace_Beltrami_matrices.h>
@@ -200,6 +201,7 @@ public:
     using CGAL::parameters::get_parameter;
 
     internal::check_triangles(tmesh);
+    internal::check_halfedges(tmesh, CGAL::get_initialized_vertex_index_map(tmesh));
 
     const auto number_of_eigenpairs = static_cast<long long>(
         internal::choose_own_parameter(np, internal::tags::number_of_eigenpairs, 50));
