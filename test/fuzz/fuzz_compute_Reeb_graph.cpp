@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/persistence_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
+#include <CGAL/exceptions.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -173,6 +174,7 @@ public:
       try {
         compute(m_values, false, algorithm);
       } catch (const SMRG::Error&) {
+      } catch (const CGAL::Assertion_exception&) { // may see it first
       }
     }
   }
