@@ -174,7 +174,7 @@ public:
       try {
         compute(m_values, false, algorithm);
       } catch (const SMRG::Error&) {
-      } catch (const CGAL::Assertion_exception&) { // may see it first
+      } catch (const CGAL::Failure_exception&) { // a check may see it first
       }
     }
   }
