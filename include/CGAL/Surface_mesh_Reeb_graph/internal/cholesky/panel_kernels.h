@@ -70,7 +70,8 @@ private:
 // Both substitutions for `columns` columns of a panel of a triangular factor, `stride` apart, the
 // first of which begins on the diagonal at l. The triangle has `inside` rows below those columns,
 // and there are `below` rows below the triangle. x are the rows of the right-hand sides from the
-// first of the columns on, y those below the triangle.
+// first of the columns on, y those below the triangle, which may be null where there are none:
+// nothing may be added to it then.
 template <class Scalar, int columns>
 struct Substitute_forward
 {
@@ -83,7 +84,7 @@ struct Substitute_forward
                                                              Scalar* y)
   {
     for (int j = 0; j < kernel_columns; j += 2 * width)
-      substitute<width>(l, stride, inside, below, x + j, y + j);
+      substitute<width>(l, stride, inside, below, x + j, below == 0 ? y : y + j);
   }
 
 private:
@@ -139,7 +140,7 @@ struct Substitute_backward
                                                              const Scalar* y)
   {
     for (int j = 0; j < kernel_columns; j += 2 * width)
-      substitute<width>(l, stride, inside, below, x + j, y + j);
+      substitute<width>(l, stride, inside, below, x + j, below == 0 ? y : y + j);
   }
 
 private:
@@ -193,6 +194,9 @@ struct Subtract_tile
   static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
   run(const Scalar* a, const Scalar* b, Eigen::Index depth, Scalar* c, Eigen::Index stride)
   {
+    // Arrays without columns may be null, which nothing may be added to.
+    if (depth == 0)
+      return;
     for (Eigen::Index j = 0; j < tile_columns; j += columns_in_registers)
       for (Eigen::Index i = 0; i < tile_rows; i += 2 * width)
         subtract_part<width>(a + i, b + j, depth, c + i + j * stride, stride);

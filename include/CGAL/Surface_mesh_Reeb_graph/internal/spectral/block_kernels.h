@@ -35,6 +35,9 @@ struct Add_transposed_product
   static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
   run(const double* v, const double* w, Eigen::Index rows, double* c)
   {
+    // An array without rows may be null, which nothing may be added to.
+    if (rows == 0)
+      return;
     for (int i = 0; i < block_width; i += tile_height)
       for (int j = 0; j < block_width; j += 2 * width)
         add_tile<width>(v + i, w + j, rows, c + block_width * i + j);

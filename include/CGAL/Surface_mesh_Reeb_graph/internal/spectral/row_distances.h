@@ -166,6 +166,71 @@ Eigen::VectorXd squared_distances(const Columns<Number>& columns,
   return result;
 }
 
+// `x[r] = factor (column[r] - origin)`, and the square of that is added to `sums[r]`.
+template <class Number>
+struct Move_column
+{
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void run(const Number* column,
+                                                             double factor,
+                                                             double origin,
+                                                             Eigen::Index rows,
+                                                             double* x,
+                                                             double* sums)
+  {
+    Eigen::Index r = 0;
+    for (; r + width <= rows; r += width) {
+      Vector<double, width> sum, moved;
+      load(sum, sums + r);
+      load_converted<width>(moved, column + r);
+      moved = factor * (moved - origin);
+      sum += moved * moved;
+      store(moved, x + r);
+      store(sum, sums + r);
+    }
+    for (; r < rows; ++r) {
+      x[r] = factor * (double(column[r]) - origin);
+      sums[r] += x[r] * x[r];
+    }
+  }
+};
+
+// `largest[r]` becomes at least `constants[j] + sum_k coefficients[k][j] column_k[r]` for all j.
+// `rows` is a multiple of four.
+template <std::size_t size>
+struct Raise_to_affine_functions
+{
+  using Group = std::array<double, size>;
+
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void run(const double* first_column,
+                                                             Eigen::Index stride,
+                                                             const Group* constants,
+                                                             const Group* coefficients,
+                                                             Eigen::Index columns,
+                                                             Eigen::Index rows,
+                                                             double* largest)
+  {
+    for (Eigen::Index r = 0; r < rows; r += width) {
+      Vector<double, width> sum[size], x;
+      CGAL_SURFACE_MESH_REEB_GRAPH_UNROLL
+      for (std::size_t j = 0; j < size; ++j)
+        fill(sum[j], (*constants)[j]);
+      for (Eigen::Index k = 0; k < columns; ++k) {
+        load(x, first_column + k * stride + r);
+        CGAL_SURFACE_MESH_REEB_GRAPH_UNROLL
+        for (std::size_t j = 0; j < size; ++j)
+          sum[j] += coefficients[k][j] * x;
+      }
+      load(x, largest + r);
+      CGAL_SURFACE_MESH_REEB_GRAPH_UNROLL
+      for (std::size_t j = 0; j < size; ++j)
+        raise(x, sum[j]);
+      store(x, largest + r);
+    }
+  }
+};
+
 // For every row the largest of the squared distances to the rows of the sources; 0 if there are
 // none.
 //
@@ -194,7 +259,8 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   // In groups of so many sources that all sums of a group stay in registers. Repeating the last
   // source fills the last group.
   constexpr std::size_t group_size = 4;
-  using Group = std::array<double, group_size>;
+  using Raise = Raise_to_affine_functions<group_size>;
+  using Group = Raise::Group;
   const std::size_t number_of_groups = (sources.size() - 2) / group_size + 1;
   std::vector<Group> squared_norms(number_of_groups);
   std::vector<std::vector<Group>> others(number_of_groups);
@@ -212,45 +278,31 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   // All columns of a block stay in the cache; by the odd number of cache lines they share no place
   // in it.
   constexpr Eigen::Index rows_per_block = 120;
-  Eigen::VectorXd result(columns.rows());
-  Eigen::ArrayXXd moved = Eigen::ArrayXXd::Zero(rows_per_block, factors.size());
-  Eigen::ArrayXd excess(rows_per_block); // over the squared distance to the first source
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(columns.rows());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(rows_per_block, factors.size());
+  std::array<double, rows_per_block> excess; // over the squared distance to the first source
   for (Eigen::Index begin = 0; begin < result.size(); begin += rows_per_block) {
     const Eigen::Index size = (std::min)(rows_per_block, result.size() - begin);
-    auto block = result.segment(begin, size).array();
-    block.setZero();
     for (Eigen::Index i = 0; i < factors.size(); ++i) {
       // the part that follows in the column: the parts are too short for the hardware prefetcher
       constexpr Eigen::Index numbers_per_line = 64 / static_cast<Eigen::Index>(sizeof(Number));
       const Eigen::Index end = (std::min)(begin + 2 * rows_per_block, result.size());
       for (Eigen::Index r = begin + rows_per_block; r < end; r += numbers_per_line)
         prefetch(&columns.coeffRef(r, i));
-      auto column = moved.col(i).head(size);
-      column = factors[i] *
-               (columns.col(i).segment(begin, size).array().template cast<double>() - origin[i]);
-      block += column.square();
+      run_kernel<Move_column<Number>>(
+          &columns.coeffRef(begin, i), factors[i], origin[i], size, &moved(0, i), &result[begin]);
     }
-    excess.setZero();
-    using Rows = Eigen::Array<double, 4, 1>;
-    for (std::size_t g = 0; g < number_of_groups; ++g) {
-      for (Eigen::Index r = 0; r < size; r += Rows::SizeAtCompileTime) {
-        Rows sum_0 = Rows::Constant(squared_norms[g][0]);
-        Rows sum_1 = Rows::Constant(squared_norms[g][1]);
-        Rows sum_2 = Rows::Constant(squared_norms[g][2]);
-        Rows sum_3 = Rows::Constant(squared_norms[g][3]);
-        for (Eigen::Index i = 0; i < factors.size(); ++i) {
-          const Rows x = moved.col(i).template segment<Rows::SizeAtCompileTime>(r);
-          const Group& y = others[g][static_cast<std::size_t>(i)];
-          sum_0 += x * y[0];
-          sum_1 += x * y[1];
-          sum_2 += x * y[2];
-          sum_3 += x * y[3];
-        }
-        auto largest = excess.template segment<Rows::SizeAtCompileTime>(r);
-        largest = largest.max(sum_0.max(sum_1).max(sum_2.max(sum_3)));
-      }
-    }
-    block += excess.head(size);
+    excess.fill(0);
+    for (std::size_t g = 0; g < number_of_groups; ++g)
+      run_kernel<Raise>(static_cast<const double*>(moved.data()),
+                        rows_per_block,
+                        static_cast<const Group*>(&squared_norms[g]),
+                        static_cast<const Group*>(others[g].data()),
+                        factors.size(),
+                        rows_per_block,
+                        excess.data());
+    for (Eigen::Index r = 0; r < size; ++r)
+      result[begin + r] += excess[static_cast<std::size_t>(r)];
   }
   return result;
 }

@@ -35,6 +35,60 @@ struct Symmetric_eigenpairs
   bool have_converged = false;
 };
 
+struct Scalar_product
+{
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
+  run(const double* x, const double* y, Eigen::Index size, double* result)
+  {
+    Vector<double, width> v, w, sums;
+    fill(sums, 0.);
+    Eigen::Index i = 0;
+    for (; i + width <= size; i += width) {
+      load(v, x + i);
+      load(w, y + i);
+      sums += v * w;
+    }
+    *result = 0;
+    for (int k = 0; k < width; ++k)
+      *result += sums[k];
+    for (; i < size; ++i)
+      *result += x[i] * y[i];
+  }
+};
+
+// `y += factor x`
+struct Add_multiple
+{
+  template <int width>
+  static CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void
+  run(double factor, const double* x, Eigen::Index size, double* y)
+  {
+    Eigen::Index i = 0;
+    for (; i + width <= size; i += width) {
+      Vector<double, width> v, w;
+      load(v, x + i);
+      load(w, y + i);
+      w += factor * v;
+      store(w, y + i);
+    }
+    for (; i < size; ++i)
+      y[i] += factor * x[i];
+  }
+};
+
+inline double scalar_product(const double* x, const double* y, Eigen::Index size)
+{
+  double result;
+  run_kernel<Scalar_product>(x, y, size, &result);
+  return result;
+}
+
+inline void add_multiple(double factor, const double* x, Eigen::Index size, double* y)
+{
+  run_kernel<Add_multiple>(factor, x, size, y);
+}
+
 // `A = Q T Q^T` with a symmetric tridiagonal matrix T and an orthogonal matrix Q that is a product
 // of reflections `I - 2 v v^T` (Householder 1958; Golub and Van Loan, "Matrix computations",
 // Section 8.3).
@@ -65,42 +119,43 @@ public:
   CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE void apply(Eigen::MatrixXd& z) const
   {
     for (Eigen::Index k = m_a.rows() - 2; k >= 0; --k) {
-      const Vector_map v(m_a.data() + (k + 1) + k * m_a.rows(), m_a.rows() - k - 1);
+      const double* const v = m_a.data() + (k + 1) + k * m_a.rows();
+      const Eigen::Index size = m_a.rows() - k - 1;
       for (Eigen::Index j = 0; j < z.cols(); ++j) {
-        Eigen::Map<Eigen::VectorXd> column(z.data() + (k + 1) + j * z.rows(), v.size());
-        column -= (2 * v.dot(column)) * v;
+        double* const column = z.data() + (k + 1) + j * z.rows();
+        add_multiple(-2 * scalar_product(v, column, size), v, size, column);
       }
     }
   }
 
 private:
-  using Vector_map = Eigen::Map<const Eigen::VectorXd>;
-
   // Makes all entries of column k below the subdiagonal zero. The reflection takes their place.
   CGAL_SURFACE_MESH_REEB_GRAPH_NOINLINE void reflect(Eigen::Index k, Eigen::VectorXd& product)
   {
     const Eigen::Index n = m_a.rows(), size = n - k - 1;
-    Eigen::Map<Eigen::VectorXd> v(m_a.data() + (k + 1) + k * n, size), p(product.data(), size);
-    const double norm = v.norm(), first = v[0];
-    m_subdiagonal[k] = first > 0 ? -norm : norm;
+    double *const v = m_a.data() + (k + 1) + k * n, *const p = product.data();
+    const double norm = std::sqrt(scalar_product(v, v, size));
+    m_subdiagonal[k] = v[0] > 0 ? -norm : norm;
     v[0] -= m_subdiagonal[k];
-    const double length = v.norm();
+    const double length = std::sqrt(scalar_product(v, v, size));
     if (!(length > 0))
       return; // they are zero; no reflection is one with v = 0
-    v /= length;
+    for (Eigen::Index i = 0; i < size; ++i)
+      v[i] /= length;
 
     // the rest of the matrix is `A - v w^T - w v^T` with `w = 2 (A v - (v^T A v) v)`
-    p.setZero();
+    std::fill_n(p, size, 0.);
     for (Eigen::Index j = 0; j < size; ++j) {
       const double* const column = m_a.data() + (k + 1 + j) * (n + 1);
-      const Vector_map below(column + 1, size - j - 1);
-      p[j] += column[0] * v[j] + below.dot(v.tail(size - j - 1));
-      p.tail(size - j - 1) += v[j] * below;
+      const Eigen::Index below = size - j - 1;
+      p[j] += column[0] * v[j] + scalar_product(column + 1, v + j + 1, below);
+      add_multiple(v[j], column + 1, below, p + j + 1);
     }
-    p = 2 * (p - v.dot(p) * v);
+    add_multiple(-scalar_product(v, p, size), v, size, p);
     for (Eigen::Index j = 0; j < size; ++j) {
-      Eigen::Map<Eigen::VectorXd> column(m_a.data() + (k + 1 + j) * (n + 1), size - j);
-      column -= p[j] * v.tail(size - j) + v[j] * p.tail(size - j);
+      double* const column = m_a.data() + (k + 1 + j) * (n + 1);
+      add_multiple(-2 * p[j], v + j, size - j, column);
+      add_multiple(-2 * v[j], p + j, size - j, column);
     }
   }
 

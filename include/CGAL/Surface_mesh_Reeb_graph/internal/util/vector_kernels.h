@@ -90,6 +90,27 @@ CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void store(const V& v, Scalar* to)
   std::memcpy(to, &v, sizeof(V));
 }
 
+template <class V, class Scalar>
+CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void fill(V& v, Scalar x)
+{
+#if defined(__GNUC__)
+  v = x - V{};
+#else
+  v.setConstant(x);
+#endif
+}
+
+// `v = max(v, w)`
+template <class V>
+CGAL_SURFACE_MESH_REEB_GRAPH_ALWAYS_INLINE void raise(V& v, const V& w)
+{
+#if defined(__GNUC__)
+  v = v < w ? w : v;
+#else
+  v = v.max(w);
+#endif
+}
+
 #ifdef CGAL_SURFACE_MESH_REEB_GRAPH_DISPATCHES_KERNELS
 
 inline bool has_avx2()
