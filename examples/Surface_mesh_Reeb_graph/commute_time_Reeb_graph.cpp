@@ -1,8 +1,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -13,8 +13,8 @@ int main(int argc, char* argv[])
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(filename, mesh) || !CGAL::is_triangle_mesh(mesh)) {
-    std::cerr << filename << ": not a triangle mesh\n";
+  if (!(std::ifstream(filename) >> mesh) || !CGAL::is_triangle_mesh(mesh)) {
+    std::cerr << filename << ": no triangle mesh in the format OFF\n";
     return EXIT_FAILURE;
   }
 

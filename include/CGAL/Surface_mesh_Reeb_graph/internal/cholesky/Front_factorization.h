@@ -65,13 +65,12 @@ public:
       return;
     }
     for (Index j = 0; j < below; j += block)
-      for (Index i = j; i < below; i += block)
-        with_size(below - i, [&](auto r) {
-          with_size(below - j, [&](auto c) {
-            subtract_product<r.value, c.value>(
-                b + i, b + j, rows, width, update + i + j * below, below);
-          });
+      with_columns(below - j, [&](auto c) {
+        for_rows(j, below, [&](Index i, auto r) {
+          subtract_product<r.value, c.value>(
+              b + i, b + j, rows, width, update + i + j * below, below);
         });
+      });
   }
 
 private:
@@ -83,7 +82,7 @@ private:
 
   // Calls `f` with the constant of min(size, 4).
   template <class Function>
-  static void with_size(const Index size, const Function& f)
+  static void with_columns(const Index size, const Function& f)
   {
     switch (size) {
     case 1:
@@ -98,6 +97,16 @@ private:
     default:
       f(Size_constant<4>());
     }
+  }
+
+  // Calls `f` for four rows at a time, and for every one of the last ones.
+  template <class Function>
+  static void for_rows(Index begin, const Index end, const Function& f)
+  {
+    for (; begin + block <= end; begin += block)
+      f(begin, Size_constant<block>());
+    for (; begin < end; ++begin)
+      f(begin, Size_constant<1>());
   }
 
   // A block of up to 4 x 4 entries in registers.
@@ -183,14 +192,14 @@ private:
   {
     bool positive = true;
     for (Index j = 0; j < width && positive; j += block)
-      with_size(width - j, [&](auto c) {
+      with_columns(width - j, [&](auto c) {
         constexpr int columns = decltype(c)::value;
         Scalar* const diagonal = panel + j + j * stride;
         subtract_product<columns, columns>(panel + j, panel + j, stride, j, diagonal, stride);
         Scalar inverse[columns];
         positive = eliminate_block<columns>(diagonal, stride, inverse);
-        for (Index i = j + columns; i < rows && positive; i += block)
-          with_size(rows - i, [&](auto r) {
+        if (positive)
+          for_rows(j + columns, rows, [&](Index i, auto r) {
             eliminate_rows<decltype(r)::value, columns>(
                 panel + i, panel + j, stride, j, diagonal, inverse);
           });

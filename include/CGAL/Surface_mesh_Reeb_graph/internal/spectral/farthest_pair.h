@@ -65,32 +65,37 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
     q = next;
   }
 
-  const Eigen::VectorXd radius =
-      squared_distances<Number>(
-          columns, factors, (row_of<Number>(columns, p) + row_of<Number>(columns, q)) / 2)
-          .cwiseSqrt();
-  const double largest_radius = radius.maxCoeff();
-  std::vector<Eigen::Index> candidates;
-  for (Eigen::Index i = 0; i < radius.size(); ++i)
-    if (radius[i] + largest_radius > std::sqrt(longest))
-      candidates.push_back(i);
-  std::sort(candidates.begin(), candidates.end(), [&](Eigen::Index i, Eigen::Index j) {
-    return radius[i] > radius[j];
-  });
+  Eigen::VectorXd middle = row_of<Number>(columns, p);
+  const Eigen::VectorXd end_of_pair = row_of<Number>(columns, q);
+  for (Eigen::Index k = 0; k < dimension; ++k)
+    middle[k] = (middle[k] + end_of_pair[k]) / 2;
+  const Eigen::VectorXd squared_radius = squared_distances<Number>(columns, factors, middle);
+  Eigen::Index row_of_largest_radius;
+  const double largest_radius = std::sqrt(squared_radius.maxCoeff(&row_of_largest_radius));
+  // Those that are farthest from the middle come first: an end of the pair is likely among them.
+  std::vector<std::pair<double, std::size_t>> candidates; // negative radius and row
+  for (Eigen::Index i = 0; i < squared_radius.size(); ++i) {
+    const double radius = std::sqrt(squared_radius[i]);
+    if (radius + largest_radius > std::sqrt(longest))
+      candidates.emplace_back(-radius, static_cast<std::size_t>(i));
+  }
+  std::sort(candidates.begin(), candidates.end());
   const auto number_of_candidates = static_cast<Eigen::Index>(candidates.size());
+  const auto row_of_candidate = [&](Eigen::Index i) {
+    return static_cast<Eigen::Index>(candidates[static_cast<std::size_t>(i)].second);
+  };
   Eigen::MatrixXd points(number_of_candidates, dimension);
   for (Eigen::Index k = 0; k < dimension; ++k)
     for (Eigen::Index i = 0; i < number_of_candidates; ++i)
-      points(i, k) = columns(candidates[static_cast<std::size_t>(i)], k);
+      points(i, k) = columns(row_of_candidate(i), k);
 
-  // Those that are farthest from the middle come first: an end of the pair is likely among them.
   constexpr Eigen::Index block_size = 512;
   Eigen::VectorXd block(block_size);
   Eigen::Index budget = 500000000 / dimension;
   Eigen::Index end = number_of_candidates; // before it are those that may be far enough from i
   for (Eigen::Index i = 0; i < number_of_candidates && budget > 0; ++i) {
     const auto radius_of = [&](Eigen::Index j) {
-      return radius[candidates[static_cast<std::size_t>(j)]];
+      return -candidates[static_cast<std::size_t>(j)].first;
     };
     while (end > i + 1 && radius_of(end - 1) + radius_of(i) <= std::sqrt(longest))
       --end;
@@ -105,8 +110,8 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
       const double squared_distance = block.head(size).maxCoeff(&j);
       if (squared_distance > longest) {
         longest = squared_distance;
-        p = candidates[static_cast<std::size_t>(i)];
-        q = candidates[static_cast<std::size_t>(begin + j)];
+        p = row_of_candidate(i);
+        q = row_of_candidate(begin + j);
       }
     }
   }
