@@ -78,7 +78,20 @@ auto prefetch_edges(typename boost::graph_traits<MutableGraph>::vertex_descripto
   prefetch(graph.out_edge_list(v).data());
 }
 
+// Assigning an empty graph, where there is no such member, makes the compiler write a function that
+// copies graphs.
+template <class MutableGraph>
+auto clear_graph(MutableGraph& graph, int) -> decltype(graph.clear(), void())
+{
+  graph.clear();
+}
+
 // for all other graphs
+template <class MutableGraph>
+void clear_graph(MutableGraph& graph, long)
+{
+  graph = MutableGraph();
+}
 template <class... Any>
 void reserve_nodes(const Any&...)
 {}
@@ -107,7 +120,7 @@ void write_graph(MutableGraph& graph,
   std::vector<typename Graph_traits::vertex_descriptor> descriptors;
   descriptors.reserve(number_of_nodes);
   try {
-    graph = MutableGraph();
+    clear_graph(graph, 0);
     reserve_nodes(number_of_nodes, graph);
     for (std::size_t i = 0; i < number_of_nodes; ++i) {
       descriptors.push_back(add_vertex(graph));
@@ -129,7 +142,7 @@ void write_graph(MutableGraph& graph,
       bundle.id = i;
     }
   } catch (...) {
-    graph = MutableGraph();
+    clear_graph(graph, 0);
     throw;
   }
 }
