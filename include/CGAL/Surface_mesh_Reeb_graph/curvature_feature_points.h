@@ -95,7 +95,7 @@ times the Euler characteristic.
   \cgalParamNBegin{smoothing_length}
     \cgalParamDescription{`s`, in units of the square root of the area of the component: what is smaller is noise}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{`0.02`}
+    \cgalParamDefault{`0.05`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
@@ -124,7 +124,7 @@ void Gaussian_curvature_function(const TriangleMesh& tmesh,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
   constexpr double four_pi = 12.5663706143591729539;
-  const double length = internal::choose_own_parameter(np, internal::tags::smoothing_length, 0.02);
+  const double length = internal::choose_own_parameter(np, internal::tags::smoothing_length, 0.05);
   CGAL_precondition(length >= 0 && std::isfinite(length));
   const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
   internal::check_triangles(tmesh);
@@ -175,12 +175,12 @@ of pointed limbs. The mapping function of that paper is the distance from them, 
   \cgalParamNBegin{curvature_threshold}
     \cgalParamDescription{the threshold, in units of the curvature of a sphere with the same area as the component}
     \cgalParamType{`double`, positive}
-    \cgalParamDefault{`5`}
+    \cgalParamDefault{`8`}
   \cgalParamNEnd
   \cgalParamNBegin{smoothing_length}
     \cgalParamDescription{as in `Gaussian_curvature_function()`}
     \cgalParamType{`double`, not negative}
-    \cgalParamDefault{`0.02`}
+    \cgalParamDefault{`0.05`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
@@ -209,7 +209,7 @@ curvature_feature_points(const TriangleMesh& tmesh,
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const double threshold =
-      internal::choose_own_parameter(np, internal::tags::curvature_threshold, 5.);
+      internal::choose_own_parameter(np, internal::tags::curvature_threshold, 8.);
   CGAL_precondition(threshold > 0);
   const auto curvature = get(CGAL::dynamic_vertex_property_t<double>(), tmesh);
   const auto is_seen = get(CGAL::dynamic_vertex_property_t<bool>(), tmesh);
