@@ -341,7 +341,9 @@ BOOST_AUTO_TEST_CASE(feature_points_of_a_star_are_the_tips)
   const Function_mesh m(star(4));
   Geodesics geodesics(m.mesh);
   std::vector<vertex_descriptor> crossed, curved;
-  SMRG::crossed_feature_points(geodesics, std::back_inserter(crossed));
+  // the extrema of both distances are on different sides of the blunt tips
+  SMRG::crossed_feature_points(
+      geodesics, std::back_inserter(crossed), SMRG::parameters::feature_radius(0.1));
   SMRG::curvature_feature_points(
       m.mesh, std::back_inserter(curved), SMRG::parameters::smoothing_length(0.02));
   for (const std::vector<vertex_descriptor>& points : {crossed, curved}) {
