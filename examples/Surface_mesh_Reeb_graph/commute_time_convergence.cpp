@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/spectral_distances.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
@@ -59,7 +60,7 @@ int main(int argc, char* argv[])
     std::cerr << filename << ": no triangle mesh in the format OFF\n";
     return EXIT_FAILURE;
   }
-  const std::size_t most = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1600;
+  const std::size_t most = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 320;
   const Value_map values = mesh.add_property_map<Vertex, double>("v:value").first;
 
   // the same feature points for all numbers
@@ -67,17 +68,29 @@ int main(int argc, char* argv[])
   SMRG::commute_time_function(
       mesh, values, SMRG::parameters::output_iterator(std::back_inserter(points)));
 
-  std::cout
-      << "| eigenpairs | largest value | smallest / largest value | maxima | largest biharmonic "
-         "distance |\n|--:|--:|--:|--:|--:|\n"
-      << std::fixed << std::setprecision(3);
-  for (std::size_t number = 25; number <= most; number *= 2) {
+  std::cout << "| eigenpairs | largest value | growth of its square | by Weyl's law | smallest / "
+               "largest value | maxima | largest biharmonic distance |\n"
+               "|--:|--:|--:|--:|--:|--:|--:|\n"
+            << std::fixed << std::setprecision(3);
+  double previous = 0;
+  for (std::size_t number = 20; number <= most; number *= 2) {
     const SMRG::Laplace_Beltrami_eigenbasis<Mesh> basis(
         mesh, SMRG::parameters::number_of_eigenpairs(number));
     SMRG::commute_time_function(basis, points, values);
     const double highest = largest(mesh, values);
-    std::cout << "| " << number << " | " << highest << " | " << smallest(mesh, values) / highest
-              << " | " << number_of_maxima(mesh, values);
+    std::cout << "| " << number << " | " << highest << " | ";
+    if (previous > 0) {
+      // the squared distance grows as lambda_1 A / (2 pi) times the logarithm of the number
+      const std::size_t c = basis.component(points.front());
+      constexpr double two_pi = 6.28318530717958647692;
+      std::cout << highest * highest - previous * previous << " | "
+                << basis.eigenvalue(c, 1) * basis.area(c) / two_pi * std::log(2.);
+    } else {
+      std::cout << " | ";
+    }
+    previous = highest;
+    std::cout << " | " << smallest(mesh, values) / highest << " | "
+              << number_of_maxima(mesh, values);
     SMRG::biharmonic_distances(basis, points.front(), values);
     std::cout << " | " << largest(mesh, values) << " |\n";
   }

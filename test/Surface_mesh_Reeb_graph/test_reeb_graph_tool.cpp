@@ -606,7 +606,7 @@ BOOST_AUTO_TEST_CASE(all_functions_are_computed)
   };
 
   // from one pole to the other
-  for (const std::string& options : {"height --axis 1,0,0",
+  for (const std::string& options : {std::string("height --axis 1,0,0"),
                                      "geodesic --source " + l,
                                      "harmonic --minima " + l + " --maxima " + r,
                                      "diffusion --time 2 --source " + l,
