@@ -4,7 +4,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Level_set_components.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <fstream>

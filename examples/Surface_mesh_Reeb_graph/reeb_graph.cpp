@@ -1,114 +1,27 @@
 // The command-line tool: from a mesh file to its Reeb graph.
 
+#include "reeb_graph_tool/compute_function.h"
 #include "reeb_graph_tool/input.h"
 #include "reeb_graph_tool/options.h"
 #include "reeb_graph_tool/output.h"
+#include "reeb_graph_tool/progress.h"
 #include "reeb_graph_tool/report.h"
 #include "reeb_graph_tool/types.h"
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/persistence_diagram.h>
-#include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 
 #include <boost/graph/connected_components.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <iterator>
-#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
-
-// Shows what is being done, while it is done, to somebody who watches.
-class Progress
-{
-public:
-  ~Progress() { say(""); }
-
-  void say(const std::string& text)
-  {
-#if defined(__unix__) || defined(__APPLE__)
-    if (isatty(STDERR_FILENO))
-      std::cerr << "\r\033[K" << text << std::flush;
-#endif
-  }
-};
-
-template <class Work>
-void timed(double& seconds, Progress& progress, const std::string& text, const Work& work)
-{
-  progress.say(text);
-  CGAL::Real_timer timer;
-  timer.start();
-  work();
-  seconds = timer.time();
-}
-
-void compute_function(const Options& options, Result& result, Progress& progress)
-{
-  if (!options.values_file.empty() || options.function == "height") {
-    timed(result.seconds.function, progress, "reading or computing the function", [&]() {
-      if (!options.values_file.empty())
-        read_values(options.values_file, result.mesh, result.values);
-      else
-        SMRG::height_function(result.mesh,
-                              Kernel::Vector_3(options.axis[0], options.axis[1], options.axis[2]),
-                              result.values);
-    });
-    return;
-  }
-
-  const bool is_eigenfunction = options.function == "eigenfunction";
-  if (is_eigenfunction && std::size_t(options.index) >= result.mesh.number_of_vertices())
-    throw File_error(options.mesh_file,
-                     "--index: the mesh has " + std::to_string(result.mesh.number_of_vertices()) +
-                         " vertices, so that there is no eigenfunction " +
-                         std::to_string(options.index));
-  std::unique_ptr<SMRG::Laplace_Beltrami_eigenbasis<Mesh>> basis;
-  timed(result.seconds.eigenbasis, progress, "computing the eigenbasis", [&]() {
-    basis = std::make_unique<SMRG::Laplace_Beltrami_eigenbasis<Mesh>>(
-        result.mesh,
-        SMRG::parameters::number_of_eigenpairs(is_eigenfunction ? options.index
-                                                                : options.eigenpairs));
-  });
-  std::size_t largest_index = 0;
-  for (std::size_t c = 0; c < basis->number_of_components(); ++c) {
-    largest_index = (std::max)(largest_index, basis->number_of_eigenpairs(c));
-    result.eigenvalues.emplace_back();
-    for (std::size_t k = 1; k <= basis->number_of_eigenpairs(c); ++k)
-      result.eigenvalues.back().push_back(basis->eigenvalue(c, k));
-  }
-  // components are smaller than the mesh
-  if (is_eigenfunction && static_cast<std::size_t>(options.index) > largest_index)
-    throw File_error(options.mesh_file,
-                     "--index: no component of the mesh has an eigenfunction " +
-                         std::to_string(options.index) + "; the last one is " +
-                         std::to_string(largest_index));
-  timed(result.seconds.function, progress, "computing the function", [&]() {
-    if (is_eigenfunction) {
-      SMRG::eigenfunction(*basis, static_cast<std::size_t>(options.index), result.values);
-    } else {
-      SMRG::feature_points(
-          *basis,
-          std::back_inserter(result.feature_points),
-          SMRG::parameters::small_time(options.small_time).large_time(options.large_time));
-      SMRG::commute_time_function(*basis, result.feature_points, result.values);
-    }
-  });
-}
 
 void run(const Options& options, Result& result)
 {
@@ -119,7 +32,12 @@ void run(const Options& options, Result& result)
   result.values = result.mesh.add_property_map<vertex_descriptor, double>("v:value").first;
   result.arcs = result.mesh.add_property_map<vertex_descriptor, int>("v:arc", -1).first;
 
-  compute_function(options, result, progress);
+  if (options.values_file.empty())
+    compute_function(options, result, progress);
+  else
+    timed(result.seconds.function, progress, "reading the function", [&]() {
+      read_values(options.values_file, result.mesh, result.values);
+    });
   const auto graph_parameters = SMRG::parameters::vertex_arc_map(result.arcs)
                                     .collect_arc_vertices(true)
                                     .unfold_multiple_saddles(options.unfold);

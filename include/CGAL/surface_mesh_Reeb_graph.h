@@ -26,6 +26,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Vertex_order.h>
 #include <CGAL/Surface_mesh_Reeb_graph/arc_polyline.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/persistence_pairs.h>

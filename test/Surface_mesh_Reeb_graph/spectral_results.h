@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/test/unit_test.hpp>

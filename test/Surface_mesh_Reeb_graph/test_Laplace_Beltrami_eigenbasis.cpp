@@ -12,7 +12,8 @@
 #include "spectral_shapes.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 
 #include <Eigen/Dense>
 

@@ -14,7 +14,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

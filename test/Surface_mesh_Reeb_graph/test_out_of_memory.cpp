@@ -13,7 +13,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/spectral_distances.h>

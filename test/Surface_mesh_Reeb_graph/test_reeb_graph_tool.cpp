@@ -476,11 +476,45 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
   check_error(
       folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});
 
+  // options without effect
+  check_error(folder, mesh + "--axis 1,0,0", {"--axis", "commute_time", "height"});
+  check_error(folder, mesh + "--function height --source 1", {"--source", "height", "geodesic"});
+  check_error(folder, mesh + "--function geodesic --source 1 --time 2", {"--time", "geodesic"});
+  check_error(folder, mesh + "--function barycentre --eigenpairs 5", {"--eigenpairs"});
+  check_error(folder, mesh + "--values x.txt --index 2", {"--index", "--values"});
+  check_error(folder, mesh + "--values x.txt --function height", {"--function", "--values"});
+  check_error(folder, mesh + "--features x.txt --small-time 1", {"--small-time", "--features"});
+  // lists of vertices
+  check_error(folder, mesh + "--function diffusion", {"diffusion", "--source"});
+  check_error(folder, mesh + "--function harmonic --minima 1", {"harmonic", "--maxima"});
+  check_error(folder, mesh + "--function harmonic --minima 1,2 --maxima 3,2", {"vertex 2"});
+  check_error(folder, mesh + "--function geodesic --source 1,,2", {"--source", "''"});
+  check_error(folder, mesh + "--function geodesic --source 1,", {"--source", "1,"});
+  check_error(folder, mesh + "--function geodesic --source -1", {"--source", "-1"});
+  for (const std::string function : {"geodesic", "biharmonic"})
+    check_error(folder,
+                mesh + "--function " + function + " --source 0,42",
+                {"mesh.off", "--source", "vertex 42", "42"});
+  check_error(folder, mesh + "--function diffusion --source 1 --time -1", {"--time"});
+  for (const std::string content : {"", "1 2 x", "42", "-1"}) {
+    const std::string features = folder.write("features.txt", content);
+    for (const std::string function : {"commute_time", "tierny", "curvature"})
+      check_error(folder,
+                  mesh + "--function " + function + " --features '" + features + "'",
+                  {features, "vert"});
+  }
+  check_error(folder, mesh + "--features '" + folder.file("none.txt") + "'", {"none.txt"});
+
   const Run help = run(folder, "--help");
   BOOST_TEST(help.status == 0);
   for (const std::string option : {"--function",
                                    "--axis",
                                    "--index",
+                                   "--time",
+                                   "--source",
+                                   "--minima",
+                                   "--maxima",
+                                   "--features",
                                    "--values",
                                    "--simplify",
                                    "--close-loops",
@@ -539,4 +573,100 @@ BOOST_AUTO_TEST_CASE(options_of_the_spectral_functions_arrive)
   const Run text = run(folder, mesh);
   BOOST_TEST(text.status == 0);
   BOOST_TEST(count(text.out, "420 vertices") == 1u);
+}
+
+// Of every function, what must be so on a long ellipsoid along the x-axis, whose poles are its tips.
+BOOST_AUTO_TEST_CASE(all_functions_are_computed)
+{
+  const Folder folder;
+  Index_mesh input = sphere(2);
+  std::size_t left = 0, right = 0;
+  for (std::size_t v = 0; v < input.points.size(); ++v) {
+    auto& p = input.points[v];
+    p = {3 * p[0], p[1], 0.9 * p[2]};
+    left = p[0] < input.points[left][0] ? v : left;
+    right = p[0] > input.points[right][0] ? v : right;
+  }
+  const std::string mesh =
+      "'" + folder.write("mesh.off", input) + "' --output '" + folder.file("x") + "' --function ";
+  const std::string l = std::to_string(left), r = std::to_string(right);
+  const std::string features =
+      " --features '" + folder.write("features.txt", l + "\n" + r + "\n") + "'";
+  const auto values = [&](const std::string& options) {
+    report(folder, mesh + options);
+    const std::vector<double> result = numbers(folder.file("x.values.txt"));
+    BOOST_REQUIRE(result.size() == input.points.size());
+    return result;
+  };
+  const auto lowest_x = [&](const std::vector<double>& v) {
+    return input.points[std::min_element(v.begin(), v.end()) - v.begin()][0];
+  };
+  const auto highest_x = [&](const std::vector<double>& v) {
+    return input.points[std::max_element(v.begin(), v.end()) - v.begin()][0];
+  };
+
+  // from one pole to the other
+  for (const std::string& options : {std::string("height --axis 1,0,0"),
+                                     "geodesic --source " + l,
+                                     "harmonic --minima " + l + " --maxima " + r,
+                                     "diffusion --time 2 --source " + l,
+                                     "commute_time_distance --source " + l,
+                                     "biharmonic --eigenpairs 20 --source " + l})
+  {
+    const std::vector<double> v = values(options);
+    BOOST_TEST(lowest_x(v) < -2.5, options);
+    BOOST_TEST(highest_x(v) > 2.5, options);
+  }
+  // from the middle to both poles, and the other way
+  for (const std::string& options : {std::string("barycentre"),
+                                     std::string("integral_geodesic"),
+                                     std::string("auto_diffusion --time 0.5"),
+                                     std::string("heat_kernel_signature"),
+                                     "commute_time" + features})
+  {
+    const std::vector<double> v = values(options);
+    BOOST_TEST(std::abs(lowest_x(v)) < 1, options);
+    BOOST_TEST(std::abs(highest_x(v)) > 2.5, options);
+  }
+  for (const std::string& options : {std::string("tierny"),
+                                     std::string("curvature"),
+                                     "tierny" + features,
+                                     "curvature" + features,
+                                     std::string("geodesic --source " + l + "," + r),
+                                     std::string("biharmonic --source " + l + "," + r)})
+  {
+    const std::vector<double> v = values(options);
+    BOOST_TEST(std::abs(lowest_x(v)) > 2.5, options);
+    BOOST_TEST(std::abs(highest_x(v)) < 1, options);
+  }
+  for (const double value : values("shape_diameter"))
+    BOOST_TEST((0 < value && value < 6));
+  for (const double value : values("wave_kernel_signature --index 7"))
+    BOOST_TEST(value > 0);
+  // the first eigenfunction has either sign
+  const std::vector<double> first = values("eigenfunction");
+  BOOST_TEST(lowest_x(first) * highest_x(first) < -6);
+
+  const nlohmann::json j = report(folder, mesh + "commute_time" + features);
+  BOOST_TEST(j["feature_points"] == nlohmann::json::array({left, right}));
+}
+
+// Where no source is, the tool has finite values for all distances.
+BOOST_AUTO_TEST_CASE(distances_in_other_components_are_finite)
+{
+  const Folder folder;
+  Index_mesh input = sphere(1);
+  append(input, sphere(1), 5);
+  const std::string mesh =
+      "'" + folder.write("mesh.off", input) + "' --output '" + folder.file("x") + "' --function ";
+  for (const std::string function :
+       {"geodesic", "diffusion", "commute_time_distance", "biharmonic"}) {
+    report(folder, mesh + function + " --source 3");
+    const std::vector<double> v = numbers(folder.file("x.values.txt"));
+    BOOST_REQUIRE(v.size() == 84u);
+    BOOST_TEST(v[3] == 0);
+    const double largest = *std::max_element(v.begin(), v.begin() + 42);
+    for (std::size_t i = 42; i < 84; ++i)
+      BOOST_TEST(v[i] == largest);
+  }
 }

@@ -14,7 +14,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/farthest_pair.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/row_distances.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/spectral_distances.h>
 
 #include <CGAL/Simple_cartesian.h>

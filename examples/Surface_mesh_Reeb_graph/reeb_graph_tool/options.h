@@ -5,13 +5,16 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 inline std::array<double, 3> parse_axis(const std::string& text)
 {
@@ -28,6 +31,127 @@ inline std::array<double, 3> parse_axis(const std::string& text)
   return axis;
 }
 
+// A list of numbers of vertices, separated by commas.
+inline std::vector<std::size_t> parse_vertices(const std::string& option, const std::string& text)
+{
+  std::vector<std::size_t> result;
+  std::istringstream in(text);
+  for (std::string number; std::getline(in, number, ',');) {
+    const bool is_number =
+        !number.empty() && number.size() <= 9 &&
+        std::all_of(number.begin(), number.end(), [](char c) { return '0' <= c && c <= '9'; });
+    if (!is_number)
+      throw std::runtime_error(option + ": '" + number + "' is not the number of a vertex");
+    result.push_back(std::stoul(number));
+  }
+  if (result.empty() || text.back() == ',')
+    throw std::runtime_error(option + ": '" + text + "' is not of the form i,j,...");
+  return result;
+}
+
+// The functions, and which options each one heeds.
+struct Function_options
+{
+  std::string function;
+  std::vector<std::string> options;
+};
+
+inline const std::vector<Function_options>& function_options()
+{
+  static const std::vector<Function_options> table = {
+      {"commute_time", {"eigenpairs", "small-time", "large-time", "features"}},
+      {"height", {"axis"}},
+      {"barycentre", {}},
+      {"geodesic", {"source"}},
+      {"integral_geodesic", {}},
+      {"tierny", {"features"}},
+      {"curvature", {"features"}},
+      {"auto_diffusion", {"time", "eigenpairs"}},
+      {"harmonic", {"minima", "maxima"}},
+      {"eigenfunction", {"index"}},
+      {"heat_kernel_signature", {"time", "eigenpairs"}},
+      {"wave_kernel_signature", {"index", "eigenpairs"}},
+      {"diffusion", {"source", "time", "eigenpairs"}},
+      {"commute_time_distance", {"source", "eigenpairs"}},
+      {"biharmonic", {"source", "eigenpairs"}},
+      {"shape_diameter", {}},
+  };
+  return table;
+}
+
+// "a", "a and b", "a, b and c"
+inline std::string enumeration(const std::vector<std::string>& names)
+{
+  std::string result;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    result += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return result;
+}
+
+inline std::vector<std::string> function_names()
+{
+  std::vector<std::string> names;
+  for (const Function_options& entry : function_options())
+    names.push_back(entry.function);
+  return names;
+}
+
+inline bool heeds(const Function_options& entry, const std::string& option)
+{
+  return std::find(entry.options.begin(), entry.options.end(), option) != entry.options.end();
+}
+
+// Options without effect are errors, and so are lists of vertices that are missing. `is_given` tells
+// which options the user has written.
+template <class Is_given>
+void check_function_options(const Options& options, const Is_given& is_given)
+{
+  if (!options.values_file.empty() && is_given("function"))
+    throw std::runtime_error("--function has no effect with --values, which is a function");
+  const std::vector<Function_options>& table = function_options();
+  const auto chosen = std::find_if(table.begin(), table.end(), [&](const Function_options& entry) {
+    return entry.function == options.function;
+  });
+  if (chosen == table.end())
+    throw std::runtime_error("--function: there is no function '" + options.function +
+                             "'; there are " + enumeration(function_names()));
+  for (const std::string option : {"axis",
+                                   "index",
+                                   "time",
+                                   "source",
+                                   "minima",
+                                   "maxima",
+                                   "features",
+                                   "eigenpairs",
+                                   "small-time",
+                                   "large-time"})
+  {
+    if (!is_given(option) || (options.values_file.empty() && heeds(*chosen, option)))
+      continue;
+    std::vector<std::string> users;
+    for (const Function_options& entry : table)
+      if (heeds(entry, option))
+        users.push_back(entry.function);
+    throw std::runtime_error(
+        "--" + option + " has no effect with " +
+        (options.values_file.empty() ? "--function " + options.function : "--values") +
+        "; it is for " + enumeration(users));
+  }
+  if (!options.features_file.empty())
+    for (const std::string option : {"small-time", "large-time"})
+      if (is_given(option))
+        throw std::runtime_error("--" + option + " has no effect with --features");
+  if (options.values_file.empty())
+    for (const std::string option : {"source", "minima", "maxima"})
+      if (heeds(*chosen, option) && !is_given(option))
+        throw std::runtime_error("--function " + options.function + " needs --" + option +
+                                 ", the numbers of vertices");
+  for (const std::size_t v : options.minima)
+    if (std::find(options.maxima.begin(), options.maxima.end(), v) != options.maxima.end())
+      throw std::runtime_error("vertex " + std::to_string(v) +
+                               " is among --minima and among --maxima");
+}
+
 // All that the functions of the library require of their arguments: a program without assertions
 // would not hear of it from them.
 inline void check_options(const Options& options)
@@ -37,11 +161,8 @@ inline void check_options(const Options& options)
       throw std::runtime_error(message);
   };
   const auto is_time = [](double t) { return t >= 0 && std::isfinite(t); };
-  require(options.function == "commute_time" || options.function == "height" ||
-              options.function == "eigenfunction",
-          "--function: there is no function '" + options.function +
-              "'; there are commute_time, height and eigenfunction");
   require(options.index >= 1, "--index must be at least 1");
+  require(is_time(options.time), "--time must be finite and not negative");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
   require(options.simplify >= 0, "--simplify must be a number that is not negative");
   require(options.close_loops >= 0, "--close-loops must be a number that is not negative");
@@ -55,18 +176,33 @@ inline bool parse_options(int argc, char* argv[], Options& options)
 {
   namespace po = boost::program_options;
 
-  std::string axis = "0,0,1", report = "text";
+  std::string axis = "0,0,1", report = "text", sources, minima, maxima;
+  const std::string functions = enumeration(function_names());
   po::options_description visible("Options");
   visible.add_options()("help,h", "show this text")(
       "function",
       po::value(&options.function)->value_name("NAME")->default_value(options.function),
-      "commute_time, height or eigenfunction")(
-      "axis",
-      po::value(&axis)->value_name("X,Y,Z")->default_value(axis),
-      "the direction of increasing height")(
+      functions.c_str())("axis",
+                         po::value(&axis)->value_name("X,Y,Z")->default_value(axis),
+                         "the direction of increasing height")(
       "index",
       po::value(&options.index)->value_name("K")->default_value(options.index),
-      "the eigenfunction of the K-th smallest eigenvalue, from 1 on")(
+      "the eigenfunction of the K-th smallest eigenvalue, from 1 on; for wave_kernel_signature, "
+      "the "
+      "eigenvalue that is its energy")(
+      "time",
+      po::value(&options.time)->value_name("T")->default_value(options.time, "1"),
+      "the time of auto_diffusion, heat_kernel_signature and diffusion; the heat of the first "
+      "eigenfunction falls to 1/e in time 1")(
+      "source",
+      po::value(&sources)->value_name("I,J,..."),
+      "the vertices, numbered from 0, that geodesic, diffusion, commute_time_distance and "
+      "biharmonic measure distances from")(
+      "minima", po::value(&minima)->value_name("I,J,..."), "the minima of harmonic")(
+      "maxima", po::value(&maxima)->value_name("I,J,..."), "the maxima of harmonic")(
+      "features",
+      po::value(&options.features_file)->value_name("FILE"),
+      "feature points of your own for commute_time, tierny and curvature: numbers of vertices")(
       "values",
       po::value(&options.values_file)->value_name("FILE"),
       "a function of your own instead: one number per vertex in the order of the mesh file (of "
@@ -88,7 +224,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "make simple saddles of multiple ones: then there is a loop for every handle")(
       "eigenpairs",
       po::value(&options.eigenpairs)->value_name("N")->default_value(options.eigenpairs),
-      "how many eigenfunctions commute_time uses")(
+      "how many eigenfunctions commute_time and other functions use")(
       "small-time",
       po::value(&options.small_time)->value_name("T")->default_value(options.small_time, "1.5"),
       "the diffusion time at which commute_time finds the feature points")(
@@ -128,7 +264,17 @@ inline bool parse_options(int argc, char* argv[], Options& options)
     throw std::runtime_error("--report: '" + report + "' is neither text nor json");
   options.json = report == "json";
   options.axis = parse_axis(axis);
+  const auto is_given = [&](const std::string& option) {
+    return given.count(option) > 0 && !given[option].defaulted();
+  };
+  if (is_given("source"))
+    options.sources = parse_vertices("--source", sources);
+  if (is_given("minima"))
+    options.minima = parse_vertices("--minima", minima);
+  if (is_given("maxima"))
+    options.maxima = parse_vertices("--maxima", maxima);
   check_options(options);
+  check_function_options(options, is_given);
   return true;
 }
 

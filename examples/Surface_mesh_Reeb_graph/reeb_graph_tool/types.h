@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,9 @@ struct Options
   std::string function = "commute_time";
   std::array<double, 3> axis = {0, 0, 1};
   int index = 1;
+  double time = 1;
+  std::vector<std::size_t> sources, minima, maxima; // numbers of vertices
+  std::string features_file;                        // empty: feature points are computed
   bool unfold = false;
   double simplify = 0;
   double close_loops = 0;

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Eigensolver_options.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Mesh_components.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_coordinates.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
@@ -223,7 +224,7 @@ public:
         get_parameter(np, CGAL::internal_np::callback), std::function<bool(double)>());
     const auto vertex_point_map = internal::vertex_point_map(tmesh, np);
 
-    check_coordinates(vertex_point_map);
+    internal::check_coordinates(tmesh, vertex_point_map);
     bool has_area = faces(tmesh).begin() == faces(tmesh).end();
     const double number_of_vertices = static_cast<double>(vertices(tmesh).size());
     double vertices_done = 0, progress = 0;
@@ -402,20 +403,6 @@ private:
   {
     return "component " + std::to_string(c) + " (" +
            std::to_string(m_components[c].vertices.size()) + " vertices): ";
-  }
-
-  template <class VertexPointMap>
-  void check_coordinates(VertexPointMap vertex_point_map) const
-  {
-    std::size_t number = 0;
-    for (vertex_descriptor v : CGAL::make_range(vertices(*m_tmesh))) {
-      const auto& p = get(vertex_point_map, v);
-      if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())) ||
-          !std::isfinite(CGAL::to_double(p.z())))
-        throw Input_error("a coordinate of vertex " + std::to_string(number) +
-                          " is not a finite number");
-      ++number;
-    }
   }
 
   template <class VertexPointMap>

@@ -10,11 +10,8 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_COMMUTE_TIME_REEB_GRAPH_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/Block_Lanczos_eigensolver.h>
-#include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
-#include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 
@@ -25,7 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -151,6 +147,16 @@ limb, in any pose.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{feature_points}
+    \cgalParamDescription{as in `commute_time_function()`}
+    \cgalParamType{a range of `boost::graph_traits<TriangleMesh>::%vertex_descriptor`; it is copied}
+    \cgalParamDefault{those of `feature_points()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_nearest_feature_point}
+    \cgalParamDescription{as in `commute_time_function()`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
   \cgalParamNBegin{output_iterator}
     \cgalParamDescription{receives the feature points}
     \cgalParamType{a model of `OutputIterator` that holds `boost::graph_traits<TriangleMesh>::%vertex_descriptor`}
@@ -188,22 +194,13 @@ void commute_time_Reeb_graph(const TriangleMesh& tmesh,
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using CGAL::parameters::get_parameter;
   using CGAL::parameters::is_default_parameter;
-  using Solver_traits =
-      typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::sparse_linear_solver_t,
-                                                         NamedParameters,
-                                                         internal::Default_solver_traits>::type;
 
   internal::simplification_parameters(np); // throws before any output is written
 
-  std::vector<vertex_descriptor> points;
+  // the basis is by far the largest object: it is gone before the graph is computed
   const auto values = get(CGAL::dynamic_vertex_property_t<double>(), tmesh);
-  {
-    // the basis is by far the largest object: it goes before the graph is computed
-    const Laplace_Beltrami_eigenbasis<TriangleMesh, Block_Lanczos_eigensolver<Solver_traits>> basis(
-        tmesh, np);
-    feature_points(basis, std::back_inserter(points), np);
-    commute_time_function(basis, points, values);
-  }
+  const std::vector<vertex_descriptor> points =
+      internal::write_commute_time_function(tmesh, values, np);
   compute_Reeb_graph(tmesh, values, graph, np);
   simplify_Reeb_graph(tmesh, values, graph, np);
 

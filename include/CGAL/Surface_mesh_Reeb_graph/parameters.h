@@ -86,6 +86,12 @@ for functions of \cgal must.
 | `loop_persistence_threshold`, `number_of_leaves`, `persistence_threshold`, `threshold_is_absolute` | `simplify_Reeb_graph()` |
 | `accept_converged_part`, `callback`, `extend_to_gap`, `number_of_eigenpairs`, `random_seed`, `residual_tolerance`, `use_intrinsic_Delaunay` | `Laplace_Beltrami_eigenbasis` |
 | `small_time`, `large_time`, `minima_as_feature_points` | `feature_points()` |
+| `feature_points`, `use_nearest_feature_point` | `commute_time_function()` |
+| `energy_width` | `wave_kernel_signature()` |
+| `base_point_radius` | `integral_geodesic_distance_function()` |
+| `feature_radius` | `crossed_feature_points()` |
+| `curvature_threshold`, `smoothing_length` | `curvature_feature_points()` |
+| `cone_angle`, `number_of_rays` | `shape_diameter_function()` |
 | `output_iterator`, `sparse_linear_solver`, `vertex_value_map` | `commute_time_Reeb_graph()` |
 | `number_of_samples` | `arc_polyline()` |
 | `vertex_index_map`, `vertex_point_map` | wherever they are read |

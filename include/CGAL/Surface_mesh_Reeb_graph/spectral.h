@@ -22,8 +22,11 @@
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Supernodal_Cholesky.h>
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/harmonic_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/spectral_distances.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 
 #endif // CGAL_SURFACE_MESH_REEB_GRAPH_SPECTRAL_H

@@ -113,6 +113,7 @@ over the eigenfunctions.
 
 Takes O(n k) time for *n* vertices and *k* eigenpairs.
 
+\sa `biharmonic_distances()`
 \sa `diffusion_distances()`
 \sa `commute_time_function()`
 */
@@ -125,6 +126,40 @@ void commute_time_distances(
   const auto& b = basis.basis(basis.component(source));
   internal::write_distances(
       basis, source, internal::commute_time_factors(b.eigenvalues), std::sqrt(b.area), distances);
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphMappingFunctions
+
+computes the biharmonic distances (\cgalCite{lipman_2010}) of all vertices from one: the square root
+of `A sum_i (lambda_1 / lambda_i)^2 (psi_i(v) - psi_i(s))^2`, where `A` is the area of the component
+of the source *s*. They are smooth at the source, other than geodesic distances, and the sum converges,
+other than that of the commute-time distance: more eigenpairs hardly change it.
+
+\tparam TriangleMesh, Eigensolver, EigenfunctionNumber as in `Laplace_Beltrami_eigenbasis`
+\tparam VertexDistanceMap a model of `WritablePropertyMap` with
+        `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `double` as value
+        type
+
+\param basis the eigenbasis
+\param source the vertex that the distances are measured from
+\param distances receives the distances, without unit: 0 for the source, infinity in other
+       components
+
+Takes O(n k) time for *n* vertices and *k* eigenpairs.
+
+\sa `diffusion_distances()`
+\sa `commute_time_distances()`
+*/
+template <class TriangleMesh, class Eigensolver, class EigenfunctionNumber, class VertexDistanceMap>
+void biharmonic_distances(
+    const Laplace_Beltrami_eigenbasis<TriangleMesh, Eigensolver, EigenfunctionNumber>& basis,
+    typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+    VertexDistanceMap distances)
+{
+  const auto& b = basis.basis(basis.component(source));
+  internal::write_distances(
+      basis, source, internal::biharmonic_factors(b.eigenvalues), std::sqrt(b.area), distances);
 }
 
 } // namespace Surface_mesh_Reeb_graph

@@ -65,6 +65,12 @@ inline Eigen::VectorXd commute_time_factors(const Eigen::VectorXd& eigenvalues)
   return factors_of(eigenvalues, [](double lambda) { return std::sqrt(1 / lambda); });
 }
 
+// Lipman, Rustamov, Funkhouser, "Biharmonic distance", 2010, Eq. 4.
+inline Eigen::VectorXd biharmonic_factors(const Eigen::VectorXd& eigenvalues)
+{
+  return factors_of(eigenvalues, [](double lambda) { return 1 / lambda; });
+}
+
 // How many of the decreasing factors are more than `negligible`.
 inline Eigen::Index number_of_factors_above(const Eigen::VectorXd& factors, double negligible)
 {

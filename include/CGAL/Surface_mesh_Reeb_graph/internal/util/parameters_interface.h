@@ -20,6 +20,17 @@ CGAL_add_named_parameter(large_time_t, large_time, large_time)
 CGAL_add_named_parameter(minima_as_feature_points_t,
                          minima_as_feature_points,
                          minima_as_feature_points)
+CGAL_add_named_parameter(feature_points_t, feature_points, feature_points)
+CGAL_add_named_parameter(use_nearest_feature_point_t,
+                         use_nearest_feature_point,
+                         use_nearest_feature_point)
+CGAL_add_named_parameter(energy_width_t, energy_width, energy_width)
+CGAL_add_named_parameter(base_point_radius_t, base_point_radius, base_point_radius)
+CGAL_add_named_parameter(feature_radius_t, feature_radius, feature_radius)
+CGAL_add_named_parameter(curvature_threshold_t, curvature_threshold, curvature_threshold)
+CGAL_add_named_parameter(smoothing_length_t, smoothing_length, smoothing_length)
+CGAL_add_named_parameter(cone_angle_t, cone_angle, cone_angle)
+CGAL_add_named_parameter(number_of_rays_t, number_of_rays, number_of_rays)
 CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
 CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
 CGAL_add_named_parameter(loop_persistence_threshold_t,
