@@ -28,6 +28,24 @@ inline std::array<double, 3> parse_axis(const std::string& text)
   return axis;
 }
 
+// "gap" is the widest gap, "gap:K" the K-th widest one.
+inline void parse_simplify(const std::string& text, Options& options)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  char rest = 0;
+  if (text == "gap") {
+    options.gap = 1;
+  } else if (text.rfind("gap:", 0) == 0) {
+    in.ignore(4);
+    if (!(in >> options.gap) || in >> rest || options.gap < 1)
+      throw std::runtime_error("--simplify: the number in '" + text + "' must be at least 1");
+  } else if (!(in >> options.simplify) || in >> rest || !(options.simplify >= 0)) {
+    throw std::runtime_error("--simplify: '" + text +
+                             "' is neither a number that is not negative nor gap or gap:K");
+  }
+}
+
 // All that the functions of the library require of their arguments: a program without assertions
 // would not hear of it from them.
 inline void check_options(const Options& options)
@@ -43,7 +61,6 @@ inline void check_options(const Options& options)
               "'; there are commute_time, height and eigenfunction");
   require(options.index >= 1, "--index must be at least 1");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
-  require(options.simplify >= 0, "--simplify must be a number that is not negative");
   require(options.close_loops >= 0, "--close-loops must be a number that is not negative");
   require(options.leaves >= 0, "--leaves must not be negative");
   require(is_time(options.small_time), "--small-time must be finite and not negative");
@@ -55,7 +72,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
 {
   namespace po = boost::program_options;
 
-  std::string axis = "0,0,1", report = "text";
+  std::string axis = "0,0,1", simplify = "0", report = "text";
   po::options_description visible("Options");
   visible.add_options()("help,h", "show this text")(
       "function",
@@ -73,8 +90,9 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "STL files: in the order in which the points are met first), as text, or as little-endian "
       "doubles if the name ends in .f64")(
       "simplify",
-      po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
-      "cancel branches shorter than this fraction of the function's range")(
+      po::value(&simplify)->value_name("FRACTION|gap[:K]")->default_value(simplify),
+      "cancel branches shorter than this fraction of the function's range, or those below the "
+      "widest gap between their lengths (the K-th widest one)")(
       "close-loops",
       po::value(&options.close_loops)
           ->value_name("FRACTION")
@@ -128,6 +146,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
     throw std::runtime_error("--report: '" + report + "' is neither text nor json");
   options.json = report == "json";
   options.axis = parse_axis(axis);
+  parse_simplify(simplify, options);
   check_options(options);
   return true;
 }

@@ -21,6 +21,7 @@ CGAL_add_named_parameter(minima_as_feature_points_t,
                          minima_as_feature_points,
                          minima_as_feature_points)
 CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
+CGAL_add_named_parameter(persistence_gap_t, persistence_gap, persistence_gap)
 CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
 CGAL_add_named_parameter(loop_persistence_threshold_t,
                          loop_persistence_threshold,
