@@ -24,13 +24,13 @@ using namespace Reeb_graph_test;
 
 namespace {
 
-// The persistences of all pairs but loops, as the boundary matrix gives them, absolute.
+// The persistences of the pairs of minima and maxima, as the boundary matrix gives them, absolute.
 std::vector<double> persistences_of(const Graph& graph)
 {
   const std::vector<double> values = values_of(graph);
   std::vector<double> result;
   for (const Extended_pair& pair : oracle_pairs(graph))
-    if (!is_loop(pair))
+    if (pair.kind != EXTENDED)
       result.push_back(persistence_of(pair, values));
   std::sort(result.rbegin(), result.rend());
   return result;
@@ -121,13 +121,13 @@ const auto absolute = SMRG::parameters::threshold_is_absolute(true);
 
 BOOST_AUTO_TEST_CASE(gaps_of_known_diagrams)
 {
-  // persistences 0.125, 0.25, 0.5 and 1 of the range, which is 2: gaps 0 to 0.125 to 0.25 to 0.5 to
-  // 1, the widest one at the top
+  // persistences 0.125, 0.25 and 0.5 of the range, which is 2: gaps 0 to 0.125 to 0.25 to 0.5, the
+  // widest one at the top
   const Graph graph = comb(2, {0.25, 0.5, 1});
-  const std::vector<double> persistences = {0, 0.125, 0.25, 0.5, 1};
-  for (std::size_t k = 1; k <= 4; ++k) {
+  const std::vector<double> persistences = {0, 0.125, 0.25, 0.5};
+  for (std::size_t k = 1; k <= 3; ++k) {
     // the two lowest ones are equally wide: the higher one comes first
-    const std::size_t i = 4 - k;
+    const std::size_t i = 3 - k;
     const SMRG::Persistence_gap gap = SMRG::persistence_gap(graph, k);
     BOOST_TEST(gap.lower == persistences[i]);
     BOOST_TEST(gap.upper == persistences[i + 1]);
@@ -137,25 +137,25 @@ BOOST_AUTO_TEST_CASE(gaps_of_known_diagrams)
     const SMRG::Persistence_gap double_gap = SMRG::persistence_gap(graph, k, absolute);
     BOOST_TEST(double_gap.lower == 2 * gap.lower);
     BOOST_TEST(double_gap.upper == 2 * gap.upper);
-    BOOST_TEST(number_of_leaves(simplified(graph, SMRG::parameters::persistence_gap(k))) == k + 1);
+    BOOST_TEST(number_of_leaves(simplified(graph, SMRG::parameters::persistence_gap(k))) == k + 2);
   }
-  for (const std::size_t k : {std::size_t(5), (std::numeric_limits<std::size_t>::max)()}) {
+  for (const std::size_t k : {std::size_t(4), (std::numeric_limits<std::size_t>::max)()}) {
     const SMRG::Persistence_gap none = SMRG::persistence_gap(graph, k);
     BOOST_TEST(none.threshold == 0);
     BOOST_TEST(none.width() == 0);
-    BOOST_TEST(none.number_of_pairs == 4u);
+    BOOST_TEST(none.number_of_pairs == 3u);
     BOOST_TEST(number_of_leaves(simplified(graph, SMRG::parameters::persistence_gap(k))) == 5u);
   }
 }
 
-// What stands out stays, whatever the noise below it; if nothing does, nothing stays.
+// What stands out stays, whatever the noise below it.
 BOOST_AUTO_TEST_CASE(noise_goes_and_features_stay)
 {
-  const Graph limbs = comb(1, {0.01, 0.6, 0.03, 0.7, 0.02, 0.65, 0.04});
-  BOOST_TEST(SMRG::persistence_gap(limbs).number_of_pairs == 4u);
-  BOOST_TEST(number_of_leaves(simplified(limbs, SMRG::parameters::persistence_gap(1))) == 5u);
-  const Graph noise = comb(1, {0.01, 0.03, 0.02, 0.04});
-  BOOST_TEST(number_of_leaves(simplified(noise, SMRG::parameters::persistence_gap(1))) == 2u);
+  for (const double height : {1., 4.}) {
+    const Graph limbs = comb(height, {0.01, 0.6, 0.03, 0.7, 0.02, 0.65, 0.04});
+    BOOST_TEST(SMRG::persistence_gap(limbs).number_of_pairs == 3u);
+    BOOST_TEST(number_of_leaves(simplified(limbs, SMRG::parameters::persistence_gap(1))) == 5u);
+  }
   const Graph no_noise = comb(1, {0.6, 0.7, 0.65});
   BOOST_TEST(SMRG::persistence_gap(no_noise).lower == 0);
   BOOST_TEST(number_of_leaves(simplified(no_noise, SMRG::parameters::persistence_gap(1))) == 5u);
@@ -163,8 +163,9 @@ BOOST_AUTO_TEST_CASE(noise_goes_and_features_stay)
 
 BOOST_AUTO_TEST_CASE(graphs_with_few_pairs)
 {
-  const Graph empty, node = make_graph({3}, {}), plateau = make_graph({3, 3}, {{0, 1}});
-  for (const Graph& graph : {empty, node, plateau}) {
+  const Graph empty, node = make_graph({3}, {}), plateau = make_graph({3, 3}, {{0, 1}}),
+                     arc = make_graph({3, 5}, {{0, 1}}); // its own pair is the only one
+  for (const Graph& graph : {empty, node, plateau, arc}) {
     const SMRG::Persistence_gap gap = SMRG::persistence_gap(graph);
     BOOST_TEST(gap.threshold == 0);
     BOOST_TEST(gap.upper == 0);
@@ -172,16 +173,14 @@ BOOST_AUTO_TEST_CASE(graphs_with_few_pairs)
     const Graph result = simplified(graph, SMRG::parameters::persistence_gap(1));
     BOOST_TEST(num_vertices(result) == num_vertices(graph));
   }
-  const Graph arc = make_graph({3, 5}, {{0, 1}}); // its own pair is the only one
-  const SMRG::Persistence_gap gap = SMRG::persistence_gap(arc);
+  // one pair stays, however small it is
+  const Graph small = comb(1, {0.25});
+  const SMRG::Persistence_gap gap = SMRG::persistence_gap(small);
   BOOST_TEST(gap.lower == 0);
-  BOOST_TEST(gap.upper == 1);
+  BOOST_TEST(gap.upper == 0.25);
+  BOOST_TEST(gap.threshold == 0.125);
   BOOST_TEST(gap.number_of_pairs == 1u);
-  BOOST_TEST(num_vertices(simplified(arc, SMRG::parameters::persistence_gap(1))) == 2u);
-
-  // a minimum and a maximum more, 1/4 and 3/4 of the range
-  BOOST_TEST(SMRG::persistence_gap(zigzag({0, 2, 1, 4})).number_of_pairs == 1u);
-  BOOST_TEST(SMRG::persistence_gap(zigzag({0, 3.5, 0.5, 4})).number_of_pairs == 3u);
+  BOOST_TEST(number_of_leaves(simplified(small, SMRG::parameters::persistence_gap(1))) == 3u);
 }
 
 // Between neighboring numbers there is none in the middle: the threshold separates them all the
@@ -189,18 +188,18 @@ BOOST_AUTO_TEST_CASE(graphs_with_few_pairs)
 BOOST_AUTO_TEST_CASE(narrow_gaps_and_extreme_values)
 {
   const double epsilon = std::numeric_limits<double>::epsilon();
-  const Graph narrow = zigzag({0, 1, 0, 1 + epsilon, 0, 2});
+  const Graph narrow = zigzag({0, 1, 0, 1 + epsilon, 0, 3});
   SMRG::Persistence_gap gap = SMRG::persistence_gap(narrow, 1, absolute);
   BOOST_TEST(gap.lower == 0);
   BOOST_TEST(gap.upper == 1);
-  gap = SMRG::persistence_gap(narrow, 3, absolute);
+  gap = SMRG::persistence_gap(narrow, 2, absolute);
   BOOST_TEST(gap.lower == 1);
   BOOST_TEST(gap.threshold == 1 + epsilon);
-  const Graph result = simplified(narrow, absolute.persistence_gap(3));
+  const Graph result = simplified(narrow, absolute.persistence_gap(2));
   BOOST_TEST(persistences_of(result).back() == 1 + epsilon);
 
   const double tiny = std::numeric_limits<double>::denorm_min();
-  BOOST_TEST(SMRG::persistence_gap(zigzag({0, tiny}), 1, absolute).threshold == tiny);
+  BOOST_TEST(SMRG::persistence_gap(zigzag({0, tiny, 0, 1}), 1, absolute).threshold == tiny);
 
   // infinite pairs are above every threshold, the others have their gaps
   const Graph infinite = zigzag({-infinity, 1, 0, 1.5, 1, 2, 0, infinity});
@@ -209,8 +208,8 @@ BOOST_AUTO_TEST_CASE(narrow_gaps_and_extreme_values)
   BOOST_TEST(gap.upper == 2);
   const double large = std::numeric_limits<double>::max();
   gap = SMRG::persistence_gap(zigzag({-large, 0, -large / 2, large}));
-  BOOST_TEST(gap.upper == 1);
-  BOOST_TEST(gap.lower == 0.25);
+  BOOST_TEST(gap.upper == 0.25);
+  BOOST_TEST(gap.lower == 0);
 }
 
 // The gaps are those of the pairs of the boundary matrix, and the graph is that of the threshold.

@@ -99,13 +99,15 @@ inline Analysis analyze(const Mesh& mesh, const Values& values)
   std::vector<SMRG::Persistence_pair<Graph>> pairs;
   SMRG::persistence_pairs(graph, std::back_inserter(pairs));
   for (const SMRG::Persistence_pair<Graph>& pair : pairs) {
-    if (pair.kind == SMRG::Persistence_pair_kind::COMPONENT || pair.persistence() == 0)
+    if (pair.kind == SMRG::Persistence_pair_kind::COMPONENT)
       continue;
+    const double lower = (graph[pair.lower()].value - least) / length,
+                 upper = (graph[pair.upper()].value - least) / length;
     const std::size_t i = pair.kind == SMRG::Persistence_pair_kind::MINIMUM   ? 0
                           : pair.kind == SMRG::Persistence_pair_kind::MAXIMUM ? 1
                                                                               : 2;
-    result.diagrams[i].emplace_back((graph[pair.lower()].value - least) / length,
-                                    (graph[pair.upper()].value - least) / length);
+    if (lower < upper) // and does not become the same by rounding
+      result.diagrams[i].emplace_back(lower, upper);
   }
   return result;
 }

@@ -9,14 +9,12 @@
 #include "topology_changes.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/subdivision_method_3.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -109,31 +107,28 @@ inline Mesh moved(Mesh mesh)
   return mesh;
 }
 
-// What lies on one side of a plane across the longest axis of the box, a quarter cut off.
-inline Mesh cut(Mesh mesh)
+// A quarter of the longest axis of the box is cut off.
+inline Mesh cut(const Mesh& mesh)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   int axis = 0;
   for (const int i : {1, 2})
     if (box.max(i) - box.min(i) > box.max(axis) - box.min(axis))
       axis = i;
-  std::array<double, 3> normal = {0, 0, 0};
-  normal[static_cast<std::size_t>(axis)] = 1;
-  CGAL::Polygon_mesh_processing::clip(
-      mesh,
-      Kernel::Plane_3(normal[0],
-                      normal[1],
-                      normal[2],
-                      -(box.min(axis) + 0.75 * (box.max(axis) - box.min(axis)))));
-  CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
-  mesh.collect_garbage();
-  return mesh;
+  const double height = 0.75 * box.max(axis) + 0.25 * box.min(axis);
+  return clipped(mesh,
+                 Point(height, height, height),
+                 Vector(axis == 0 ? -1 : 0, axis == 1 ? -1 : 0, axis == 2 ? -1 : 0));
 }
+
+// Holes and cuts make loops: where two borders lie at one height, a level set that was a closed curve
+// is two.
+constexpr int any_number = -1;
 
 struct Change
 {
   std::string name;
-  std::size_t number_of_new_loops;
+  int number_of_new_loops;
   bool keeps_values; // up to rounding, for functions that do not depend on the pose
   std::function<Mesh(const Mesh&, std::mt19937&)> make;
 };
@@ -172,9 +167,9 @@ inline const std::vector<Change>& changes()
        0,
        false,
        [](const Mesh& m, RNG& r) { return with_split_faces(m, 0.3, r); }},
-      {"plane cut", 0, false, [](const Mesh& m, RNG&) { return cut(m); }},
+      {"plane cut", any_number, false, [](const Mesh& m, RNG&) { return cut(m); }},
       {"8 holes",
-       0,
+       any_number,
        false,
        [](const Mesh& m, RNG& r) { return with_holes(m, 8, 0.01 * diagonal(m), r); }},
       {"small handle",

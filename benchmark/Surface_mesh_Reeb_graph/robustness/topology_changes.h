@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <queue>
 #include <random>
 #include <utility>
@@ -209,6 +210,46 @@ inline Mesh with_split_faces(const Mesh& mesh, const double share, std::mt19937&
     triangles.faces.push_back({f[2], f[0], v});
   }
   return triangles.mesh();
+}
+
+// What lies on the positive side of a plane. (The clipping of CGAL needs meshes that do not intersect
+// themselves, which scanned shapes often do.)
+inline Mesh clipped(const Mesh& mesh, const Point& point, const Vector& normal)
+{
+  const Triangles before(mesh);
+  Triangles after = before;
+  after.faces.clear();
+  std::vector<double> heights;
+  for (const Point& p : before.points)
+    heights.push_back((p - point) * normal);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> point_of_edge;
+  const auto crossing = [&](const std::size_t u, const std::size_t v) {
+    const auto [it, is_new] = point_of_edge.emplace(std::minmax(u, v), after.points.size());
+    if (is_new)
+      after.points.push_back(before.points[u] + heights[u] / (heights[u] - heights[v]) *
+                                                    (before.points[v] - before.points[u]));
+    return it->second;
+  };
+  for (Triangle f : before.faces) {
+    const auto number =
+        std::count_if(f.begin(), f.end(), [&](const std::size_t v) { return heights[v] > 0; });
+    if (number == 3)
+      after.faces.push_back(f);
+    if (number == 0 || number == 3)
+      continue;
+    // the vertex first that is alone on its side
+    while ((heights[f[0]] > 0) != (number == 1) || (heights[f[1]] > 0) != (number == 2) ||
+           (heights[f[2]] > 0) != (number == 2))
+      std::rotate(f.begin(), f.begin() + 1, f.end());
+    const std::size_t u = crossing(f[0], f[1]), v = crossing(f[0], f[2]);
+    if (number == 1) {
+      after.faces.push_back({f[0], u, v});
+    } else {
+      after.faces.push_back({u, f[1], f[2]});
+      after.faces.push_back({u, f[2], v});
+    }
+  }
+  return after.mesh();
 }
 
 // Two models that touch: the second one is moved beside the first one, and a tube joins them.

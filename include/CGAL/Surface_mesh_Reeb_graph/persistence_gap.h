@@ -41,7 +41,7 @@ struct Persistence_gap
   double upper = 0;
   /// a threshold in the middle of the gap: all pairs above the gap stay, all below it are cancelled
   double threshold = 0;
-  /// how many pairs of minima, maxima and components have their persistence above the gap
+  /// how many pairs of minima and maxima have their persistence above the gap
   std::size_t number_of_pairs = 0;
 
   /// returns `upper - lower`.
@@ -57,13 +57,15 @@ Noise makes many pairs of small persistence, a shape few of large persistence. A
 the two that is the same for all shapes comes near to a pair of one of them, and whether that is
 cancelled is chance; the middle of the widest gap is as far from all pairs as a threshold can be.
 
-The pairs are those of minima, maxima and components that `persistence_pairs()` gives, of all
-connected components of the mesh together; not those of loops, which `simplify_Reeb_graph()` does not
-close by the threshold of the branches. Their persistences and 0 are sorted, and the gaps are the
-differences of neighbors. The pair of a component (its lowest and its highest node) is never
-cancelled, but it counts: if the gap below it is the widest one, all else is small. Infinite
-persistences are left out. Of equally wide gaps the higher one comes first. (A gap that comes later
-may lie higher or lower than one that is wider: the threshold of a larger `k` need not be smaller.)
+The pairs are those of minima and maxima that `persistence_pairs()` gives and that
+`simplify_Reeb_graph()` can cancel, of all connected components of the mesh together. Their
+persistences and 0 are sorted, and the gaps are the differences of neighbors. So there is always a
+pair above a gap: of a function with nothing but noise, the largest pairs of noise stay. The pair of
+a component (its lowest and its highest node) does not count, since nothing cancels it: its
+persistence is the whole range, far above that of all limbs if the function is a distance from a
+point. Pairs of loops do not count either, nor infinite persistences. Of equally wide gaps the higher
+one comes first. (A gap that comes later may lie higher or lower than one that is wider: the
+threshold of a larger `k` need not be smaller.)
 
 <b>Stability.</b> Let the function be changed, let *d* be the difference between the largest and the
 smallest of the changes of the vertices' values (if no value changes by more than *e*, *d* is at most
@@ -99,7 +101,7 @@ With relative persistences the same holds for the functions divided by their ran
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the gap. If there are fewer than `k`, as in a graph of isolated nodes, `lower`, `upper` and
+\return the gap. If there are fewer than `k`, as in a graph of two nodes, `lower`, `upper` and
         `threshold` are 0: nothing is to be cancelled.
 
 Takes O(m log m) time for a graph with *m* nodes and arcs.

@@ -13,7 +13,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/difference.h>
 
 #include <algorithm>
@@ -42,37 +41,17 @@ inline double relative_persistence(const Extremum_pair& pair,
              : relative_persistence(values[pair.saddle], values[pair.extremum], half_range);
 }
 
-// The persistences of all pairs of a Reeb graph but those of loops, absolute or relative.
+// The persistences of the pairs of a Reeb graph that can be cancelled, absolute or relative.
 inline std::vector<double> branch_persistences(const std::vector<double>& values,
                                                const std::vector<Arc_ends>& ends,
                                                bool is_absolute)
 {
-  const std::size_t n = values.size();
   const std::vector<double> half_ranges = fractions_of_component_ranges(values, ends, 0.5);
   std::vector<double> result;
   for (const Extremum_pair& pair :
        Extremum_pairing(values, ends, [](std::uint32_t) { return true; }).run())
     result.push_back(is_absolute ? pair.persistence
                                  : relative_persistence(pair, values, half_ranges[pair.extremum]));
-
-  // values increase with the nodes: the last node of a component is its highest
-  Disjoint_sets components(n);
-  for (const Arc_ends& e : ends)
-    components.join(components.root(e.lower), components.root(e.upper));
-  std::vector<std::uint32_t> lowest(n, no_node), highest(n, no_node);
-  for (std::uint32_t node = 0; node < n; ++node) {
-    const std::uint32_t c = components.root(node);
-    if (lowest[c] == no_node)
-      lowest[c] = node;
-    highest[c] = node;
-  }
-  for (std::uint32_t c = 0; c < n; ++c) {
-    if (lowest[c] == no_node)
-      continue;
-    const double lower = values[lowest[c]], upper = values[highest[c]];
-    result.push_back(is_absolute ? difference(lower, upper)
-                                 : relative_persistence(lower, upper, half_ranges[c]));
-  }
   return result;
 }
 
