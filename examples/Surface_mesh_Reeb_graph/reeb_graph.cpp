@@ -57,6 +57,7 @@ void run(const Options& options, Result& result)
                               result.values,
                               result.graph,
                               graph_parameters.persistence_threshold(options.simplify)
+                                  .persistence_gap(options.gap)
                                   .loop_persistence_threshold(options.close_loops)
                                   .number_of_leaves(options.leaves));
   });

@@ -23,12 +23,14 @@
 #include <CGAL/Surface_mesh_Reeb_graph/IO/polylines.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Level_set_components.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph_hierarchy.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Vertex_order.h>
 #include <CGAL/Surface_mesh_Reeb_graph/arc_polyline.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/parameters.h>
+#include <CGAL/Surface_mesh_Reeb_graph/persistence_gap.h>
 #include <CGAL/Surface_mesh_Reeb_graph/persistence_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 

@@ -27,6 +27,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -464,6 +465,8 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
   check_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
   check_error(folder, mesh + "--simplify -0.1", {"--simplify"});
   check_error(folder, mesh + "--simplify nan", {"--simplify"});
+  for (const std::string text : {"wide", "0.1x", "gap:", "gap:0", "gap:-1", "gap:two", "gap2"})
+    check_error(folder, mesh + "--simplify " + text, {"--simplify", text});
   check_error(folder, mesh + "--close-loops nan", {"--close-loops"});
   check_error(folder, mesh + "--close-loops -1", {"--close-loops"});
   check_error(folder, mesh + "--leaves -1", {"--leaves"});
@@ -545,6 +548,41 @@ BOOST_AUTO_TEST_CASE(options_of_the_graph_arrive)
   // two nodes make a pair
   const std::string pairs = content(folder.file("pairs.pers"));
   BOOST_TEST(count(pairs, "\n") - count(pairs, "#") == graph["nodes"].get<std::size_t>() / 2);
+
+  // "gap" is a threshold in the widest gap of the persistences, "gap:2" one in the second one
+  std::vector<double> persistences = {0};
+  double lowest = 1, highest = 0;
+  std::istringstream lines(pairs);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    double dimension, lower, upper;
+    if (line.find('#') == 0 || !(words >> dimension >> lower >> upper))
+      continue;
+    lowest = (std::min)({lowest, lower, upper});
+    highest = (std::max)({highest, lower, upper});
+    persistences.push_back(std::abs(upper - lower));
+  }
+  // neither the pair of the component nor that of the loop, which is the last one, are pairs of
+  // branches
+  BOOST_REQUIRE(persistences.back() < highest - lowest);
+  persistences.pop_back();
+  persistences.erase(std::find(persistences.begin(), persistences.end(), highest - lowest));
+  std::sort(persistences.begin(), persistences.end());
+  std::vector<std::pair<double, double>> gaps; // width, middle
+  for (std::size_t i = 1; i < persistences.size(); ++i)
+    gaps.emplace_back(persistences[i] - persistences[i - 1],
+                      (persistences[i] + persistences[i - 1]) / 2 / (highest - lowest));
+  std::sort(gaps.rbegin(), gaps.rend());
+  for (const std::size_t k : {0, 1, 6}) {
+    const std::string gap = k == 0 ? "gap" : "gap:" + std::to_string(k + 1);
+    std::ostringstream threshold;
+    threshold << gaps[k].second;
+    const nlohmann::json expected =
+                             report(folder, noisy + "--unfold --simplify " + threshold.str()),
+                         result = report(folder, noisy + "--unfold --simplify " + gap);
+    for (const std::string number : {"nodes", "arcs", "minima", "maxima"})
+      BOOST_TEST(result[number] == expected[number]);
+  }
 
   const nlohmann::json few_leaves = report(folder, noisy + "--unfold --leaves 5");
   BOOST_TEST(few_leaves["minima"].get<int>() + few_leaves["maxima"].get<int>() == 5);

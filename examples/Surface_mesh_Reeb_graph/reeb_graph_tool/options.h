@@ -152,6 +152,24 @@ void check_function_options(const Options& options, const Is_given& is_given)
                                " is among --minima and among --maxima");
 }
 
+// "gap" is the widest gap, "gap:K" the K-th widest one.
+inline void parse_simplify(const std::string& text, Options& options)
+{
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  char rest = 0;
+  if (text == "gap") {
+    options.gap = 1;
+  } else if (text.rfind("gap:", 0) == 0) {
+    in.ignore(4);
+    if (!(in >> options.gap) || in >> rest || options.gap < 1)
+      throw std::runtime_error("--simplify: the number in '" + text + "' must be at least 1");
+  } else if (!(in >> options.simplify) || in >> rest || !(options.simplify >= 0)) {
+    throw std::runtime_error("--simplify: '" + text +
+                             "' is neither a number that is not negative nor gap or gap:K");
+  }
+}
+
 // All that the functions of the library require of their arguments: a program without assertions
 // would not hear of it from them.
 inline void check_options(const Options& options)
@@ -164,7 +182,6 @@ inline void check_options(const Options& options)
   require(options.index >= 1, "--index must be at least 1");
   require(is_time(options.time), "--time must be finite and not negative");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
-  require(options.simplify >= 0, "--simplify must be a number that is not negative");
   require(options.close_loops >= 0, "--close-loops must be a number that is not negative");
   require(options.leaves >= 0, "--leaves must not be negative");
   require(is_time(options.small_time), "--small-time must be finite and not negative");
@@ -176,7 +193,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
 {
   namespace po = boost::program_options;
 
-  std::string axis = "0,0,1", report = "text", sources, minima, maxima;
+  std::string axis = "0,0,1", simplify = "0", report = "text", sources, minima, maxima;
   const std::string functions = enumeration(function_names());
   po::options_description visible("Options");
   visible.add_options()("help,h", "show this text")(
@@ -209,8 +226,9 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "STL files: in the order in which the points are met first), as text, or as little-endian "
       "doubles if the name ends in .f64")(
       "simplify",
-      po::value(&options.simplify)->value_name("FRACTION")->default_value(options.simplify, "0"),
-      "cancel branches shorter than this fraction of the function's range")(
+      po::value(&simplify)->value_name("FRACTION|gap[:K]")->default_value(simplify),
+      "cancel branches shorter than this fraction of the function's range, or those below the "
+      "widest gap between their lengths (the K-th widest one)")(
       "close-loops",
       po::value(&options.close_loops)
           ->value_name("FRACTION")
@@ -273,6 +291,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
     options.minima = parse_vertices("--minima", minima);
   if (is_given("maxima"))
     options.maxima = parse_vertices("--maxima", maxima);
+  parse_simplify(simplify, options);
   check_options(options);
   check_function_options(options, is_given);
   return true;

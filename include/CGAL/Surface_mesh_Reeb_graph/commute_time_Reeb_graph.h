@@ -52,6 +52,11 @@ limb, in any pose.
     \cgalParamType{`double`, not negative}
     \cgalParamDefault{`0`: only pairs of persistence zero are cancelled}
   \cgalParamNEnd
+  \cgalParamNBegin{persistence_gap}
+    \cgalParamDescription{as in `simplify_Reeb_graph()`}
+    \cgalParamType{an integer type, not negative}
+    \cgalParamDefault{`0`: `persistence_threshold` counts}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_leaves}
     \cgalParamDescription{as in `simplify_Reeb_graph()`}
     \cgalParamType{an integer type, not negative}

@@ -70,11 +70,17 @@ new.
     \cgalParamDefault{`0`}
     \cgalParamExtra{a fraction of the range of the function, for each connected component on its own (of the values of its nodes, those that are infinite left out), unless `threshold_is_absolute` is `true`}
   \cgalParamNEnd
+  \cgalParamNBegin{persistence_gap}
+    \cgalParamDescription{if it is a number *k* > 0, pairs are cancelled as with the `persistence_threshold` in the middle of the *k*-th widest gap of the persistence diagram, see `persistence_gap()`}
+    \cgalParamType{an integer type, not negative}
+    \cgalParamDefault{`0`: `persistence_threshold` counts}
+    \cgalParamExtra{The gap is that of the graph before it is simplified. If there are fewer gaps, only pairs of persistence zero are cancelled.}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_leaves}
     \cgalParamDescription{if more leaves, nodes without an arc below or without one above, than this number are left, pairs are cancelled until no more are, or until those are left that always stay: two for every component that is not a single node}
     \cgalParamType{an integer type, not negative}
     \cgalParamDefault{no limit}
-    \cgalParamExtra{Pairs of different components are compared by their persistence as a fraction of the range of their component, unless `threshold_is_absolute` is `true`. The pairs below `persistence_threshold`, 0 if it is not given, are cancelled in any case.}
+    \cgalParamExtra{Pairs of different components are compared by their persistence as a fraction of the range of their component, unless `threshold_is_absolute` is `true`. The pairs below `persistence_threshold`, 0 if it is not given, or below the gap are cancelled in any case.}
   \cgalParamNEnd
   \cgalParamNBegin{loop_persistence_threshold}
     \cgalParamDescription{loops whose persistence is less than this are closed}
@@ -112,8 +118,9 @@ than O(m log m), not even those that let merging change sides as often as it can
 anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n log n) if
 `Reeb_arc::vertices` has been filled.
 
-\pre `persistence_threshold`, `loop_persistence_threshold` and `number_of_leaves` are not negative,
-     and no NaN
+\pre `persistence_threshold`, `persistence_gap`, `loop_persistence_threshold` and `number_of_leaves`
+     are not negative, and no NaN
+\pre not both `persistence_threshold` and `persistence_gap` are given and different from 0
 
 \throws Input_error if a value is not a number, if the nodes or arcs of the graph are not numbered
         or the values of the nodes not sorted as `compute_Reeb_graph()` does it, or, where maps or
@@ -123,6 +130,7 @@ anything to bring up to date for *n* vertices or faces, O(n log m) more, or O(n 
 
 \sa `compute_Reeb_graph()`
 \sa `persistence_pairs()`
+\sa `persistence_gap()`
 */
 template <class TriangleMesh,
           class VertexScalarMap,

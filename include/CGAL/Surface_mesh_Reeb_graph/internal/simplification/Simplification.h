@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/node_values.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/Extremum_pairing.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/loop_pairs.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/persistence/persistence_gaps.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Folded_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Loop_simplification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/simplification/Simplification_parameters.h>
@@ -44,6 +45,13 @@ public:
     : m_values(values), m_ends(ends), m_parameters(parameters), m_folded(values.size(), ends)
   {
     CGAL_precondition(parameters.threshold >= 0 && parameters.loop_threshold >= 0);
+    // of the graph as it is given, also for what is left when loops have been closed
+    if (parameters.gap != 0)
+      m_parameters.threshold =
+          kth_widest_gap(
+              persistence_gaps(branch_persistences(values, ends, parameters.is_absolute)),
+              parameters.gap)
+              .threshold();
   }
 
   const Folded_graph& folded_graph() const { return m_folded; }
@@ -109,16 +117,11 @@ private:
   void sort_by_relative_persistence(std::vector<Extremum_pair>& pairs) const
   {
     const std::vector<double> half_ranges = fractions_of_component_ranges(m_values, m_ends, 0.5);
-    const auto relative_persistence = [&](const Extremum_pair& pair) {
-      const double half = pair.side == BELOW
-                              ? half_of_difference(m_values[pair.extremum], m_values[pair.saddle])
-                              : half_of_difference(m_values[pair.saddle], m_values[pair.extremum]);
-      return half == 0 ? 0. : half / half_ranges[pair.extremum];
-    };
     std::vector<std::pair<double, std::size_t>> keyed;
     keyed.reserve(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      keyed.emplace_back(relative_persistence(pairs[i]), i);
+      keyed.emplace_back(relative_persistence(pairs[i], m_values, half_ranges[pairs[i].extremum]),
+                         i);
     std::sort(keyed.begin(), keyed.end());
     std::vector<Extremum_pair> sorted;
     sorted.reserve(pairs.size());
