@@ -64,9 +64,10 @@ quantiles around the fractions 1/8, ..., 7/8 of the area, and its largest value.
 interlevel sets \f$\{|f - a_j| \le t\}\f$ grow with \f$t\f$ from the level until they are everything:
 the sublevel sets for the first level, the superlevel sets for the last one. Their components are
 those of the interlevel sets of the Reeb graph, and see its loops: the two sides of a loop are one
-component of the sublevel set, but two of an interlevel set. The smallest \f$t\f$ for which \f$x\f$
-and \f$y\f$ are in one component, minimized over all levels, is half of the distance
-\f$d_f(x, y)\f$ of two points of the graph in \cgalCite{bauer_2014}.
+component of the sublevel set, but two of an interlevel set. The smallest \f$t\f$ for
+which \f$x\f$ and \f$y\f$ are in one component, minimized over all numbers instead of these nine
+levels, is half of the distance \f$d_f(x, y)\f$ of two points of the graph in
+\cgalCite{bauer_2014}.
 
 \sa `compute_Reeb_graph_signature()`
 \sa `Reeb_graph_distance()`

@@ -210,7 +210,7 @@ inline double shape_distance(const Shape_signature& a, const Shape_signature& b)
          internal::mean_difference(a.section_lengths, b.section_lengths) / .37 +
          internal::mean_logarithmic_difference(a.eigenvalues, b.eigenvalues, 1) / .9 +
          internal::mean_difference(a.band_distances, b.band_distances) / .19 +
-         std::abs(std::log((a.volume + .01) / (b.volume + .01))) / 1.8;
+         internal::mean_logarithmic_difference({a.volume}, {b.volume}, .01) / .018;
 }
 
 /*!

@@ -12,6 +12,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -39,8 +40,8 @@ inline double mean_logarithmic_difference(const std::vector<double>& x,
   CGAL_precondition(x.size() == y.size() && !x.empty());
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (x[i] != y[i])
-      sum += std::abs(std::log((scale + x[i]) / (scale + y[i])));
+    if (x[i] != y[i]) // rounded in the same way for y and x
+      sum += std::log((scale + (std::max)(x[i], y[i])) / (scale + (std::min)(x[i], y[i])));
   return scale * sum / static_cast<double>(x.size());
 }
 
