@@ -42,7 +42,7 @@ namespace Surface_mesh_Reeb_graph {
 \ingroup PkgSurfaceMeshReebGraphClasses
 
 What shapes are retrieved by: the signature of a Reeb graph, with what its arcs carry on the surface,
-and the spectrum. It is some 40 kilobytes of text, whatever the size of the mesh. Lengths are those
+and the spectrum. It is some 53 kilobytes of text, whatever the size of the mesh. Lengths are those
 after scaling to area 1, so that nothing but the function's own values depends on the size.
 
 \sa `compute_shape_signature()`
