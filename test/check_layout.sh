@@ -31,6 +31,7 @@ declare -A earlier_rooms=(
   [construction]="util mesh graph"
   [persistence]="util mesh graph"
   [simplification]="util mesh graph construction persistence"
+  [comparison]="util mesh graph"
   [cholesky]="util"
   [spectral]="util mesh cholesky"
 )
