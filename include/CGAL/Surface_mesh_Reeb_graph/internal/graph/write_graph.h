@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
 #include <CGAL/assertions.h>
 
@@ -53,8 +52,7 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
   return result;
 }
 
-// Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and
-// prefetched. Where a function is noisy, half of all time would be cache misses otherwise. (Making
+// Boost's adjacency lists let the memory for vertices and their edges be allocated at once. (Making
 // a graph aside and moving it would not help: they cannot be moved, only copied.)
 template <class MutableGraph>
 auto reserve_nodes(std::size_t number, MutableGraph& graph)
@@ -69,13 +67,6 @@ auto reserve_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor
                    MutableGraph& graph) -> decltype(graph.out_edge_list(v).reserve(number))
 {
   graph.out_edge_list(v).reserve(number);
-}
-
-template <class MutableGraph>
-auto prefetch_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor v,
-                    MutableGraph& graph) -> decltype(graph.out_edge_list(v).data(), void())
-{
-  prefetch(graph.out_edge_list(v).data());
 }
 
 // Assigning an empty graph, where there is no such member, makes the compiler write a function that
@@ -97,9 +88,6 @@ void reserve_nodes(const Any&...)
 {}
 template <class... Any>
 void reserve_edges(const Any&...)
-{}
-template <class... Any>
-void prefetch_edges(const Any&...)
 {}
 
 // Replaces the content of `graph`; `node(i)` and `arc(i)` give the bundles, whose numbers and types
@@ -130,12 +118,7 @@ void write_graph(MutableGraph& graph,
       bundle.id = i;
       bundle.type = type_of_Reeb_node(degrees[i].down, degrees[i].up);
     }
-    constexpr std::size_t distance = 8;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (i + 2 * distance < ends.size())
-        prefetch(&get(boost::vertex_bundle, graph)[descriptors[ends[i + 2 * distance].upper]]);
-      if (i + distance < ends.size())
-        prefetch_edges(descriptors[ends[i + distance].upper], graph);
       const auto e = add_edge(descriptors[ends[i].lower], descriptors[ends[i].upper], graph).first;
       Arc_bundle<MutableGraph>& bundle = get(boost::edge_bundle, graph)[e];
       bundle = arc(i);
