@@ -52,8 +52,7 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
   return result;
 }
 
-// Boost's adjacency lists let the memory for vertices and their edges be allocated at once.
-// (Making
+// Boost's adjacency lists let the memory for vertices and their edges be allocated at once. (Making
 // a graph aside and moving it would not help: they cannot be moved, only copied.)
 template <class MutableGraph>
 auto reserve_nodes(std::size_t number, MutableGraph& graph)
