@@ -7,6 +7,7 @@
 
 #include "Index_mesh.h"
 #include "random_meshes.h"
+#include "tool_runs.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -30,106 +31,12 @@
 #include <utility>
 #include <vector>
 
-#include <sys/wait.h>
-
 using namespace Reeb_graph_test;
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = Tool_mesh;
 namespace fs = std::filesystem;
-
-// A folder of files that goes with the test.
-struct Folder
-{
-  fs::path path;
-
-  Folder()
-  {
-    std::random_device device;
-    path = fs::temp_directory_path() / ("reeb_graph_tool_" + std::to_string(device()));
-    fs::create_directory(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-
-  std::string file(const std::string& name) const { return (path / name).string(); }
-
-  std::string write(const std::string& name, const std::string& content) const
-  {
-    std::ofstream(file(name), std::ios::binary) << content;
-    return file(name);
-  }
-
-  std::string write(const std::string& name, const Index_mesh& mesh) const
-  {
-    Mesh m;
-    std::vector<Mesh::Vertex_index> vertices;
-    make_mesh(mesh, m, vertices);
-    BOOST_REQUIRE(
-        CGAL::IO::write_polygon_mesh(file(name), m, CGAL::parameters::stream_precision(17)));
-    return file(name);
-  }
-};
-
-std::string content(const std::string& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  BOOST_REQUIRE(in);
-  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-}
-
-std::size_t count(const std::string& text, const std::string& what)
-{
-  std::size_t number = 0;
-  for (std::size_t i = text.find(what); i != std::string::npos; i = text.find(what, i + 1))
-    ++number;
-  return number;
-}
-
-struct Run
-{
-  int status;
-  std::string out, error;
-};
-
-Run run(const Folder& folder, const std::string& arguments)
-{
-  const std::string command = std::string("'") + REEB_GRAPH_TOOL + "' " + arguments + " > '" +
-                              folder.file("stdout") + "' 2> '" + folder.file("stderr") + "'";
-  const int status = std::system(command.c_str());
-  return {status, content(folder.file("stdout")), content(folder.file("stderr"))};
-}
-
-nlohmann::json report(const Folder& folder, const std::string& arguments)
-{
-  const Run r = run(folder, arguments + " --report json");
-  BOOST_TEST(r.error == "");
-  BOOST_REQUIRE(r.status == 0);
-  return nlohmann::json::parse(r.out);
-}
-
-// One line on the error stream that has all the given words in it, and nothing else.
-void check_error(const Folder& folder,
-                 const std::string& arguments,
-                 const std::vector<std::string>& words)
-{
-  BOOST_TEST_CONTEXT("reeb_graph " << arguments)
-  {
-    const Run r = run(folder, arguments);
-    BOOST_TEST(r.status != 0);
-    BOOST_TEST(WIFEXITED(r.status)); // no signal
-    BOOST_TEST(r.out == "");
-    BOOST_TEST(count(r.error, "\n") == 1u);
-    for (const std::string& word : words)
-      BOOST_TEST(r.error.find(word) != std::string::npos, r.error << " does not say " << word);
-  }
-}
-
-std::vector<double> numbers(const std::string& file)
-{
-  std::ifstream in(file);
-  return std::vector<double>(std::istream_iterator<double>(in), std::istream_iterator<double>());
-}
 
 } // namespace
 
