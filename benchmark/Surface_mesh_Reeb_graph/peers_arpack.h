@@ -105,7 +105,7 @@ public:
     result.values.resize(wanted);
     std::vector<int> selected(std::size_t(dimension), 1);
     arpack::seupd(1,
-                  arpack::howmny::Ritz_vectors,
+                  arpack::howmny::ritz_vectors,
                   selected.data(),
                   result.values.data(),
                   krylov.data(),

@@ -304,6 +304,22 @@ BOOST_AUTO_TEST_CASE(eigenpairs_of_symmetric_matrices)
   }
 }
 
+// As the couplings of eigenvectors that converged long ago are: their squares are no numbers of full
+// precision, or zero.
+BOOST_AUTO_TEST_CASE(eigenpairs_of_matrices_with_tiny_couplings)
+{
+  for (const Eigen::Index n : {10, 50})
+    for (const double exponent : {100., 145., 155., 158., 160., 162., 165., 200., 300.}) {
+      Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        a(i, i) = 1. / static_cast<double>(1 + i);
+        if (i > 0)
+          a(i, 0) = a(0, i) = std::pow(10., -exponent) * static_cast<double>(1 + i % 7);
+      }
+      check_eigenpairs(a);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(zero_and_empty_matrices_have_eigenpairs)
 {
   const internal::Symmetric_eigenpairs pairs =

@@ -99,7 +99,7 @@ inline void add_multiple(double factor, const double* x, Eigen::Index size, doub
 class Tridiagonalization
 {
 public:
-  // Of `a` the lower triangle counts.
+  // Of `a` the lower triangle counts. Its largest entry is 1, or all are zero.
   explicit Tridiagonalization(Eigen::MatrixXd a)
     : m_a(std::move(a)), m_diagonal(m_a.rows()), m_subdiagonal(m_a.rows() > 0 ? m_a.rows() - 1 : 0)
   {
@@ -134,12 +134,20 @@ private:
   {
     const Eigen::Index n = m_a.rows(), size = n - k - 1;
     double *const v = m_a.data() + (k + 1) + k * n, *const p = product.data();
-    const double norm = std::sqrt(scalar_product(v, v, size));
+    // Of an entry that is nothing beside the largest one of the matrix, which is 1, the square may
+    // have no more than a few digits: a reflection by that would not be orthogonal.
+    constexpr double negligible =
+        (std::numeric_limits<double>::min)() / std::numeric_limits<double>::epsilon();
+    const double squared_norm_below = scalar_product(v + 1, v + 1, size - 1);
+    if (squared_norm_below <= negligible) {
+      m_subdiagonal[k] = v[0];
+      std::fill_n(v, size, 0.); // no reflection is one with v = 0
+      return;
+    }
+    const double norm = std::sqrt(v[0] * v[0] + squared_norm_below);
     m_subdiagonal[k] = v[0] > 0 ? -norm : norm;
     v[0] -= m_subdiagonal[k];
-    const double length = std::sqrt(scalar_product(v, v, size));
-    if (!(length > 0))
-      return; // they are zero; no reflection is one with v = 0
+    const double length = std::sqrt(v[0] * v[0] + squared_norm_below);
     for (Eigen::Index i = 0; i < size; ++i)
       v[i] /= length;
 
