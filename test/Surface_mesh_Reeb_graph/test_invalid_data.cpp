@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/IO/VTP.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/polylines.h>
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 
 #include <CGAL/assertions.h>
