@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/Register_vector.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/cholesky/Supernodal_structure.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/huge_pages.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
 #include <CGAL/assertions.h>
 
@@ -499,15 +498,7 @@ private:
       for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
         Row::load(x + rows[i] * Index(Columns)).store(below + i * Columns);
     };
-    // the rows of the next panel are prefetched meanwhile
-    const auto prefetch_rows = [&](const Index s) {
-      const StorageIndex* const rows = m_structure.rows_below(s);
-      for (Index i = 0; i < m_structure.number_of_rows_below(s); ++i)
-        internal::prefetch(x + rows[i] * Index(Columns));
-    };
     for (Index s = 0; s < number; ++s) {
-      if (s + 1 < number)
-        prefetch_rows(s + 1);
       gather(s);
       panel(s).forward(x + m_structure.first_column(s) * Index(Columns), below);
       const StorageIndex* const rows = m_structure.rows_below(s);
@@ -515,8 +506,6 @@ private:
         Row::load(below + i * Columns).store(x + rows[i] * Index(Columns));
     }
     for (Index s = number - 1; s >= 0; --s) {
-      if (s > 0)
-        prefetch_rows(s - 1);
       gather(s);
       panel(s).backward(x + m_structure.first_column(s) * Index(Columns), below);
     }

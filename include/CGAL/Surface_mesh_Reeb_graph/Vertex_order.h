@@ -11,7 +11,6 @@
 #define CGAL_SURFACE_MESH_REEB_GRAPH_VERTEX_ORDER_H
 
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/cold_function.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
@@ -162,19 +161,13 @@ public:
     const bool is_less = u_value < v_value;
     if (is_less != (v_value < u_value))
       return is_less;
-    return is_before_at_equal_value(u, v);
-  }
-
-private:
-  // Not inlined: it would be, at all places where vertices are compared.
-  CGAL_REEB_GRAPH_COLD bool is_before_at_equal_value(vertex_descriptor u, vertex_descriptor v) const
-  {
     const std::uint32_t u_distance = plateau_distance(u), v_distance = plateau_distance(v);
     if (u_distance != v_distance)
       return u_distance < v_distance;
     return get(m_vertex_index_map, u) < get(m_vertex_index_map, v);
   }
 
+private:
   void check_values(const TriangleMesh& tmesh) const
   {
     for (vertex_descriptor v : CGAL::make_range(vertices(tmesh)))

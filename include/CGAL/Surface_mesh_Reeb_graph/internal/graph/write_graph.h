@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/util/prefetch.h>
 
 #include <CGAL/assertions.h>
 
@@ -52,7 +53,8 @@ degrees_of_nodes(std::size_t number_of_nodes, const std::vector<Arc_ends>& ends)
   return result;
 }
 
-// Boost's adjacency lists let the memory for vertices and their edges be allocated at once. (Making
+// Boost's adjacency lists let the memory for vertices and their edges be allocated at once, and
+// prefetched. Where a function is noisy, half of all time would be cache misses otherwise. (Making
 // a graph aside and moving it would not help: they cannot be moved, only copied.)
 template <class MutableGraph>
 auto reserve_nodes(std::size_t number, MutableGraph& graph)
@@ -69,8 +71,15 @@ auto reserve_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor
   graph.out_edge_list(v).reserve(number);
 }
 
-// Assigning an empty graph, where there is no such member, makes the compiler write a function that
-// copies graphs.
+template <class MutableGraph>
+auto prefetch_edges(typename boost::graph_traits<MutableGraph>::vertex_descriptor v,
+                    MutableGraph& graph) -> decltype(graph.out_edge_list(v).data(), void())
+{
+  prefetch(graph.out_edge_list(v).data());
+}
+
+// Not by assigning an empty graph, where there is a member for it: Boost's graphs can only be copied,
+// and compilers take half a second for that.
 template <class MutableGraph>
 auto clear_graph(MutableGraph& graph, int) -> decltype(graph.clear(), void())
 {
@@ -88,6 +97,9 @@ void reserve_nodes(const Any&...)
 {}
 template <class... Any>
 void reserve_edges(const Any&...)
+{}
+template <class... Any>
+void prefetch_edges(const Any&...)
 {}
 
 // Replaces the content of `graph`; `node(i)` and `arc(i)` give the bundles, whose numbers and types
@@ -118,7 +130,12 @@ void write_graph(MutableGraph& graph,
       bundle.id = i;
       bundle.type = type_of_Reeb_node(degrees[i].down, degrees[i].up);
     }
+    constexpr std::size_t distance = 8;
     for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (i + 2 * distance < ends.size())
+        prefetch(&get(boost::vertex_bundle, graph)[descriptors[ends[i + 2 * distance].upper]]);
+      if (i + distance < ends.size())
+        prefetch_edges(descriptors[ends[i + distance].upper], graph);
       const auto e = add_edge(descriptors[ends[i].lower], descriptors[ends[i].upper], graph).first;
       Arc_bundle<MutableGraph>& bundle = get(boost::edge_bundle, graph)[e];
       bundle = arc(i);

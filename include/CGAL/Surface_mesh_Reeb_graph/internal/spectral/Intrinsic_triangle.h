@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
@@ -65,14 +64,8 @@ private:
   // Heron's formula in Kahan's order of operations, exact to rounding for needles too.
   static double stable_area(std::array<double, 3> l)
   {
-    const auto put_in_order = [&](int i, int j) {
-      if (l[i] < l[j])
-        std::swap(l[i], l[j]);
-    };
-    put_in_order(0, 1);
-    put_in_order(1, 2);
-    put_in_order(0, 1);
-    const auto [a, b, c] = l;
+    std::sort(l.begin(), l.end());
+    const double a = l[2], b = l[1], c = l[0];
     const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
     return std::sqrt((std::max)(product, 0.)) / 4;
   }

@@ -70,8 +70,8 @@ farthest_pair(const Matrix& eigenfunctions, const Eigen::VectorXd& all_factors)
   for (Eigen::Index k = 0; k < dimension; ++k)
     middle[k] = (middle[k] + end_of_pair[k]) / 2;
   const Eigen::VectorXd squared_radius = squared_distances<Number>(columns, factors, middle);
-  Eigen::Index row_of_largest_radius;
-  const double largest_radius = std::sqrt(squared_radius.maxCoeff(&row_of_largest_radius));
+  const double largest_radius = std::sqrt(
+      *std::max_element(squared_radius.data(), squared_radius.data() + squared_radius.size()));
   // Those that are farthest from the middle come first: an end of the pair is likely among them.
   std::vector<std::pair<double, std::size_t>> candidates; // negative radius and row
   for (Eigen::Index i = 0; i < squared_radius.size(); ++i) {

@@ -202,7 +202,7 @@ struct Move_column
 };
 
 // `largest[r]` becomes at least `constants[j] + sum_k coefficients[k][j] column_k[r]` for all j.
-// `rows` is a multiple of four.
+// The number of rows is a multiple of all widths of vectors.
 template <std::size_t size>
 struct Raise_to_affine_functions
 {
@@ -284,6 +284,7 @@ Eigen::VectorXd largest_squared_distances(const Matrix& eigenfunctions,
   // All columns of a block stay in the cache; by the odd number of cache lines they share no place
   // in it.
   constexpr Eigen::Index rows_per_block = 120;
+  static_assert(rows_per_block % 4 == 0, "the kernel takes whole vectors");
   Eigen::VectorXd result = Eigen::VectorXd::Zero(columns.rows());
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(rows_per_block, factors.size());
   std::array<double, rows_per_block> excess; // over the squared distance to the first source

@@ -99,11 +99,14 @@ inline void add_multiple(double factor, const double* x, Eigen::Index size, doub
 class Tridiagonalization
 {
 public:
-  // Of `a` the lower triangle counts. Its largest entry is 1, or all are zero.
+  // Of `a` the lower triangle counts. Its largest magnitude is 1, unless all are zero.
   explicit Tridiagonalization(Eigen::MatrixXd a)
     : m_a(std::move(a)), m_diagonal(m_a.rows()), m_subdiagonal(m_a.rows() > 0 ? m_a.rows() - 1 : 0)
   {
     const Eigen::Index n = m_a.rows();
+    CGAL_precondition_code(
+        for (Eigen::Index j = 0; j < n; ++j) for (Eigen::Index i = j; i < n; ++i))
+        CGAL_precondition(!(std::abs(m_a(i, j)) > 1));
     Eigen::VectorXd product(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       m_diagonal[k] = m_a(k, k);
