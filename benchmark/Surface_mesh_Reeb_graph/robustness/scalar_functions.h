@@ -8,16 +8,16 @@
 
 #include "shapes.h"
 
-#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Laplace_Beltrami_eigenbasis.h>
+#include <CGAL/Surface_mesh_Reeb_graph/commute_time_function.h>
+#include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/feature_points.h>
-#include <CGAL/Surface_mesh_Reeb_graph/mapping_functions.h>
-#include <CGAL/centroid.h>
+#include <CGAL/Surface_mesh_Reeb_graph/geodesic_functions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <array>
 #include <iterator>
 #include <vector>
 
@@ -36,42 +36,30 @@ inline Values commute_time(const Mesh& mesh, const Basis& basis)
   return values;
 }
 
-// Gebal, Baerentzen, Aanaes, Larsen, "Shape analysis using the auto diffusion function", 2009: the
-// heat that is left at a point after a time. As there, times are multiples of the inverse of the
-// smallest eigenvalue; 0.1 of it keeps all limbs and lets their details go.
+// At a time that keeps all limbs and lets their details go.
 inline Values auto_diffusion(const Mesh& mesh, const Basis& basis)
 {
   constexpr double time = 0.1;
-  Values values(mesh.number_of_vertices(), 0.);
-  for (const Vertex v : mesh.vertices()) {
-    const std::size_t c = basis.component(v);
-    for (std::size_t k = 1; k <= basis.number_of_eigenpairs(c); ++k) {
-      const double phi = basis.eigenfunction(k, v);
-      values[v] += std::exp(-time * basis.eigenvalue(c, k) / basis.eigenvalue(c, 1)) * phi * phi;
-    }
-  }
+  Values values(mesh.number_of_vertices());
+  SMRG::auto_diffusion_function(basis, time, CGAL::make_property_map(values));
   return values;
 }
 
-// The geodesic distance from the vertex that lies farthest from the barycenter of the vertices.
+// From the vertex that lies farthest from the barycenter of the surface.
 inline Values geodesic(const Mesh& mesh, const Basis&)
 {
-  const Point center = CGAL::centroid(mesh.points().begin(), mesh.points().end());
-  const Vertex source = *std::max_element(
-      mesh.vertices().begin(), mesh.vertices().end(), [&](const Vertex v, const Vertex w) {
-        return CGAL::compare_distance_to_point(center, mesh.point(v), mesh.point(w)) ==
-               CGAL::SMALLER;
-      });
   Values values(mesh.number_of_vertices());
-  CGAL::Heat_method_3::estimate_geodesic_distances(mesh, CGAL::make_property_map(values), source);
+  SMRG::barycenter_distance_function(mesh, CGAL::make_property_map(values));
+  const std::array<Vertex, 1> source = {Vertex(static_cast<Mesh::size_type>(
+      std::max_element(values.begin(), values.end()) - values.begin()))};
+  SMRG::geodesic_distance_function(mesh, source, CGAL::make_property_map(values));
   return values;
 }
 
 inline Values height(const Mesh& mesh, const Basis&)
 {
-  Values values;
-  for (const Vertex v : mesh.vertices())
-    values.push_back(mesh.point(v).z());
+  Values values(mesh.number_of_vertices());
+  SMRG::height_function(mesh, Vector(0, 0, 1), CGAL::make_property_map(values));
   return values;
 }
 
