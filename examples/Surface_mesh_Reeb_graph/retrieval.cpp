@@ -56,9 +56,19 @@ void show_progress(const std::string& text)
 #endif
 }
 
-std::string suffix(const Retrieval_options& options)
+// What is added to the name of a mesh.
+std::string suffix(const std::string& function)
 {
-  return '.' + options.function + ".signature";
+  return '.' + function + ".signature";
+}
+
+// The files of the signatures of a mesh, by function.
+std::vector<fs::path> signature_files(const Retrieval_options& options, const std::string& mesh)
+{
+  std::vector<fs::path> result;
+  for (const std::string& function : options.functions)
+    result.push_back(fs::path(options.signatures) / (mesh + suffix(function)));
+  return result;
 }
 
 // The names of the files in a folder that `is_wanted`, sorted.
@@ -87,7 +97,10 @@ std::vector<std::string> meshes_in(const std::string& folder)
   return result;
 }
 
-SMRG::Shape_signature signature_of(const std::string& mesh_file, const std::string& function)
+// What a shape is compared by: a signature for every function.
+using Signatures = std::vector<SMRG::Shape_signature>;
+
+Signatures signatures_of(const std::string& mesh_file, const std::vector<std::string>& functions)
 {
   Mesh mesh;
   {
@@ -97,8 +110,12 @@ SMRG::Shape_signature signature_of(const std::string& mesh_file, const std::stri
   try {
     const Basis basis(mesh);
     const Value_map values = mesh.add_property_map<vertex_descriptor, double>("v:value").first;
-    compute_function(function, mesh, basis, values);
-    return SMRG::compute_shape_signature(basis, values);
+    Signatures result;
+    for (const std::string& function : functions) {
+      compute_function(function, mesh, basis, values);
+      result.push_back(SMRG::compute_shape_signature(basis, values));
+    }
+    return result;
   } catch (const SMRG::Error& error) {
     throw File_error(mesh_file, error.what());
   }
@@ -121,10 +138,11 @@ std::size_t compute_signatures(const Retrieval_options& options,
       std::string message;
       try {
         const std::string file = (fs::path(options.argument) / mine[i]).string();
-        const std::string signature_file =
-            (fs::path(options.signatures) / (mine[i] + suffix(options))).string();
-        if (!SMRG::IO::write_shape_signature(signature_file, signature_of(file, options.function)))
-          throw File_error(signature_file, "cannot be written");
+        const Signatures signatures = signatures_of(file, options.functions);
+        const std::vector<fs::path> files = signature_files(options, mine[i]);
+        for (std::size_t f = 0; f < files.size(); ++f)
+          if (!SMRG::IO::write_shape_signature(files[f].string(), signatures[f]))
+            throw File_error(files[f].string(), "cannot be written");
       } catch (const std::exception& error) {
         message = error.what();
         ++failed;
@@ -146,24 +164,26 @@ std::size_t compute_signatures(const Retrieval_options& options,
     thread.join();
   show_progress("");
   if (processes.is_first() && !mine.empty())
-    std::cout << mine.size() << " signatures computed, " << std::setprecision(3)
+    std::cout << mine.size() << (mine.size() == 1 ? " shape indexed, " : " shapes indexed, ")
+              << std::setprecision(3)
               << timer.time() * options.threads / static_cast<double>(mine.size())
-              << " s each on one thread\n";
+              << " s for each on one thread\n";
   return processes.sum(failed);
 }
 
 struct Collection
 {
   std::vector<std::string> names; // of the meshes
-  std::vector<SMRG::Shape_signature> signatures;
+  std::vector<Signatures> signatures;
 };
 
 Collection read_collection(const Retrieval_options& options, std::vector<std::string> names)
 {
   Collection collection;
   for (std::string& name : names) {
-    collection.signatures.push_back(SMRG::IO::read_shape_signature(
-        (fs::path(options.signatures) / (name + suffix(options))).string()));
+    collection.signatures.emplace_back();
+    for (const fs::path& file : signature_files(options, name))
+      collection.signatures.back().push_back(SMRG::IO::read_shape_signature(file.string()));
     collection.names.push_back(std::move(name));
   }
   return collection;
@@ -183,6 +203,14 @@ distance(const std::string& name, const SMRG::Shape_signature& a, const SMRG::Sh
     return SMRG::bottleneck_distance(a.graph, b.graph);
 #endif
   return SMRG::shape_distance(a, b);
+}
+
+double distance(const std::string& name, const Signatures& a, const Signatures& b)
+{
+  double sum = 0;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    sum += distance(name, a[f], b[f]);
+  return sum;
 }
 
 // Complete for the first process only; and the mean time per pair.
@@ -307,8 +335,10 @@ int index(const Retrieval_options& options, const Processes& processes)
       throw File_error(options.signatures, "cannot be made");
     for (const std::string& mesh : meshes) {
       const fs::path mesh_file = fs::path(options.argument) / mesh;
-      const fs::path signature = fs::path(options.signatures) / (mesh + suffix(options));
-      if (!fs::exists(signature) || fs::last_write_time(signature) < fs::last_write_time(mesh_file))
+      const std::vector<fs::path> files = signature_files(options, mesh);
+      if (std::any_of(files.begin(), files.end(), [&](const fs::path& file) {
+            return !fs::exists(file) || fs::last_write_time(file) < fs::last_write_time(mesh_file);
+          }))
         missing.push_back(mesh);
     }
   }
@@ -346,19 +376,22 @@ int index(const Retrieval_options& options, const Processes& processes)
 
 int query(const Retrieval_options& options)
 {
+  // the other functions have files of their own
+  const std::string end = suffix(options.functions.front());
   std::vector<std::string> names = files_in(options.signatures, [&](const fs::path& path) {
-    const std::string name = path.filename().string(), end = suffix(options);
+    const std::string name = path.filename().string();
     return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
   });
   if (names.empty())
-    throw File_error(options.signatures, "holds no signature of the function " + options.function);
+    throw File_error(options.signatures,
+                     "holds no signature of the function " + options.functions.front());
   for (std::string& name : names)
-    name.resize(name.size() - suffix(options).size());
+    name.resize(name.size() - end.size());
   const Collection collection = read_collection(options, names);
-  const SMRG::Shape_signature signature = signature_of(options.argument, options.function);
+  const Signatures signatures = signatures_of(options.argument, options.functions);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < collection.names.size(); ++i)
-    order.emplace_back(distance(options.distance, signature, collection.signatures[i]), i);
+    order.emplace_back(distance(options.distance, signatures, collection.signatures[i]), i);
   std::sort(order.begin(), order.end());
   order.resize((std::min)(order.size(), static_cast<std::size_t>(options.nearest)));
   for (const auto& entry : order)

@@ -447,15 +447,6 @@ BOOST_AUTO_TEST_CASE(number_of_eigenpairs_must_be_positive)
   BOOST_TEST(error_of(potato(1), 1) == "");
 }
 
-BOOST_AUTO_TEST_CASE(residual_above_the_tolerance_is_an_error_that_names_the_eigenpair)
-{
-  const std::string message =
-      error_of(potato(2), SMRG::parameters::number_of_eigenpairs(5).residual_tolerance(0));
-  BOOST_TEST(contains(message, "eigenpair 1"));
-  BOOST_TEST(contains(message, "tolerance"));
-  BOOST_TEST(contains(message, "component 0 (162 vertices)"));
-}
-
 BOOST_AUTO_TEST_CASE(diffusion_times_must_be_numbers_that_are_not_negative)
 {
   const Shape shape(potato(2));

@@ -134,6 +134,39 @@ BOOST_AUTO_TEST_CASE(on_a_cylinder_they_are_those_of_the_unrolled_one)
   }
 }
 
+// Heat is no number any more 700 edges away from the source; the distances go on as they began.
+BOOST_AUTO_TEST_CASE(they_do_not_end_where_heat_is_no_number)
+{
+  constexpr std::size_t around = 10, rings = 2500, plain_rings = 500;
+  const double spacing = 2 * pi / static_cast<double>(around);
+  const Index_mesh mesh = cylinder(around, rings, spacing * static_cast<double>(rings)),
+                   plain =
+                       cylinder(around, plain_rings, spacing * static_cast<double>(plain_rings));
+  const std::vector<double> found = distances(mesh, {0}), expected = distances(plain, {0});
+  const double slope = expected[400] / 400; // of the first line of the tube, away from its end
+  BOOST_TEST(std::abs(slope / spacing - 1) < 0.1);
+  for (std::size_t line = 0; line < around; ++line)
+    for (std::size_t ring = 1; ring <= rings; ++ring) {
+      const std::size_t v = line * (rings + 1) + ring;
+      if (ring > around)
+        BOOST_TEST(found[v] > found[v - 1]);
+      BOOST_TEST(std::abs(found[v] - slope * static_cast<double>(ring)) <
+                 0.06 * static_cast<double>(ring) * slope + pi);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(integral_distances_of_a_long_tube)
+{
+  constexpr std::size_t rings = 1500;
+  const Function_mesh m(cylinder(6, rings, double(rings)));
+  Geodesics geodesics(m.mesh);
+  const auto values =
+      m.values([&](auto map) { SMRG::integral_geodesic_distance_function(geodesics, map); });
+  const auto center =
+      static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
+  BOOST_TEST(std::abs(double(center % (rings + 1)) - rings / 2.) < 0.02 * rings);
+}
+
 // The outer equator of a torus is a geodesic, the shortest one for small angles.
 BOOST_AUTO_TEST_CASE(on_a_torus_they_are_lengths_of_the_outer_equator)
 {

@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(index_and_query)
   BOOST_TEST(c.run("index meshes --threads 2 --distances distances.txt --classes classes.txt") ==
              0);
   BOOST_TEST(c.errors == "");
-  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 6);
-  BOOST_TEST(c.output.find("6 signatures computed") != std::string::npos);
+  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 12); // of two functions
+  BOOST_TEST(c.output.find("6 shapes indexed") != std::string::npos);
   BOOST_TEST(c.output.find("| all          | 1.000 | 1.000 | 1.000 | 1.000 |") !=
              std::string::npos);
 
@@ -148,8 +148,8 @@ BOOST_AUTO_TEST_CASE(index_and_query)
   BOOST_TEST(c.output.find("ball") == std::string::npos);
   c.write("new.off", torus(12, 9));
   BOOST_TEST(c.run("index meshes") == 0);
-  BOOST_TEST(c.output.find("1 signatures computed") == 0);
-  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 7);
+  BOOST_TEST(c.output.find("1 shape indexed") == 0);
+  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 14);
   BOOST_TEST(content(c.path / "meshes/signatures/ball0.off.commute_time.signature") == first);
 }
 
@@ -159,6 +159,22 @@ BOOST_AUTO_TEST_CASE(other_functions_and_distances)
   for (const std::string function : {"height", "geodesic", "auto_diffusion"})
     BOOST_TEST(c.run("index meshes --signatures s --function " + function) == 0);
   BOOST_TEST(number_of_files(c.path / "s") == 18);
+
+  // several functions: the distances are added
+  const auto distances = [&c](const std::string& functions) {
+    BOOST_TEST(c.run("index meshes --signatures s --distances d.txt --function " + functions) == 0);
+    BOOST_TEST(c.output == ""); // all signatures are there
+    std::istringstream in(content(c.path / "d.txt"));
+    std::string line;
+    std::getline(in, line);
+    return std::vector<double>((std::istream_iterator<double>(in)), {});
+  };
+  const std::vector<double> height = distances("height"), geodesic = distances("geodesic"),
+                            both = distances("height,geodesic");
+  BOOST_REQUIRE(both.size() == 36);
+  for (std::size_t i = 0; i < both.size(); ++i)
+    BOOST_TEST(both[i] == height[i] + geodesic[i]);
+
   for (const std::string distance : {"graph", "spectrum", "persistence"})
     BOOST_TEST(c.run("query meshes/ball2.off --signatures s --function geodesic --nearest 1 "
                      "--distance " +
@@ -188,6 +204,7 @@ BOOST_AUTO_TEST_CASE(errors)
   check("query meshes/ball0.off", "--signatures");
   check("query meshes/ball0.off --signatures meshes", "holds no signature");
   check("index meshes --function no", "there is no function 'no'");
+  check("index meshes --function height,", "there is no function ''");
   check("index meshes --distance no", "there is no distance 'no'");
   check("index meshes --threads 0", "--threads");
   check("index meshes --table", "--table needs --classes");
@@ -197,7 +214,7 @@ BOOST_AUTO_TEST_CASE(errors)
   // one mesh that is none does not keep the others from being indexed
   std::ofstream(c.path / "meshes/bad.off") << "OFF\n3 1 0\n";
   check("index meshes", "meshes/bad.off");
-  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 6);
+  BOOST_TEST(number_of_files(c.path / "meshes/signatures") == 12);
   std::ofstream(c.path / "meshes/signatures/ball0.off.commute_time.signature") << "nothing\n";
   check("query meshes/ball1.off --signatures meshes/signatures", "the first line");
 }
@@ -210,10 +227,10 @@ BOOST_AUTO_TEST_CASE(two_processes_find_what_one_finds)
   BOOST_TEST(c.run(arguments + "one.txt --signatures one") == 0);
   const std::string table = c.output.substr(c.output.find('|'));
   BOOST_TEST(c.run(arguments + "two.txt --signatures two", MPIEXEC) == 0);
-  BOOST_TEST(c.output.find("3 signatures computed") != std::string::npos);
+  BOOST_TEST(c.output.find("3 shapes indexed") != std::string::npos);
   BOOST_TEST(c.output.substr(c.output.find('|')) == table);
   BOOST_TEST(content(c.path / "one.txt") == content(c.path / "two.txt"));
-  BOOST_TEST(number_of_files(c.path / "two") == 6);
+  BOOST_TEST(number_of_files(c.path / "two") == 12);
   for (const fs::directory_entry& entry : fs::directory_iterator(c.path / "one"))
     BOOST_TEST(content(entry) == content(c.path / "two" / entry.path().filename()));
   // an error ends both

@@ -1,6 +1,7 @@
 #ifndef RETRIEVAL_TOOL_RETRIEVAL_OPTIONS_H
 #define RETRIEVAL_TOOL_RETRIEVAL_OPTIONS_H
 
+#include <boost/algorithm/string/split.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -8,13 +9,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 struct Retrieval_options
 {
-  std::string command;    // index or query
-  std::string argument;   // the folder or the mesh
-  std::string signatures; // the folder of the signatures
-  std::string function = "commute_time";
+  std::string command;                // index or query
+  std::string argument;               // the folder or the mesh
+  std::string signatures;             // the folder of the signatures
+  std::vector<std::string> functions; // whose distances are added
   std::string distance = "shape";
   std::string distances; // a file; empty: it is not written
   std::string classes;   // a file; empty: nothing is evaluated
@@ -38,9 +40,10 @@ inline void check_options(const Retrieval_options& options)
           options.command == "index" ? "index: which folder?" : "query: which mesh?");
   require(options.command == "index" || !options.signatures.empty(),
           "query: --signatures says where the signatures are");
-  require(is_one_of(options.function, {"commute_time", "height", "geodesic", "auto_diffusion"}),
-          "--function: there is no function '" + options.function +
-              "'; there are commute_time, height, geodesic and auto_diffusion");
+  for (const std::string& function : options.functions)
+    require(is_one_of(function, {"commute_time", "height", "geodesic", "auto_diffusion"}),
+            "--function: there is no function '" + function +
+                "'; there are commute_time, height, geodesic and auto_diffusion");
   require(is_one_of(options.distance, {"shape", "graph", "spectrum", "persistence", "bottleneck"}),
           "--distance: there is no distance '" + options.distance +
               "'; there are shape, graph, spectrum, persistence and bottleneck");
@@ -57,14 +60,17 @@ inline void check_options(const Retrieval_options& options)
 inline bool parse_options(int argc, char* argv[], Retrieval_options& options)
 {
   namespace po = boost::program_options;
+  std::string functions = "commute_time,auto_diffusion";
   po::options_description visible("Options");
   visible.add_options()("help,h", "show this text")(
       "signatures",
       po::value(&options.signatures)->value_name("DIR"),
       "the folder of the signatures; for index, by default FOLDER/signatures")(
       "function",
-      po::value(&options.function)->value_name("NAME")->default_value(options.function),
-      "commute_time, height (along z), geodesic or auto_diffusion")(
+      po::value(&functions)->value_name("NAME,...")->default_value(functions),
+      "commute_time, height (along z), geodesic, auto_diffusion, or several of them, whose "
+      "distances "
+      "are added")(
       "distance",
       po::value(&options.distance)->value_name("NAME")->default_value(options.distance),
       "shape (all of the signature), graph (the Reeb graphs alone), spectrum (ShapeDNA), "
@@ -99,12 +105,13 @@ inline bool parse_options(int argc, char* argv[], Retrieval_options& options)
            "  retrieval index FOLDER [OPTION]...   signatures of all meshes that have none yet\n"
            "  retrieval query MESH --signatures DIR [OPTION]...   the most similar ones\n\n"
            "Meshes are OFF, OBJ, PLY or STL files. A signature is a text file named after the\n"
-           "mesh and the function; a query reads signatures only. Under mpiexec the shapes and\n"
+           "mesh and a function; a query reads signatures only. Under mpiexec the shapes and\n"
            "the rows of distances are dealt out to the processes, if built with Boost.MPI.\n\n"
         << visible;
     return false;
   }
   po::notify(values);
+  boost::algorithm::split(options.functions, functions, [](char c) { return c == ','; });
   check_options(options);
   if (options.signatures.empty())
     options.signatures = options.argument + "/signatures";

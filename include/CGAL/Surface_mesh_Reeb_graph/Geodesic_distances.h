@@ -10,7 +10,6 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_GEODESIC_DISTANCES_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_GEODESIC_DISTANCES_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/Supernodal_Cholesky.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Coordinates.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Mesh_components.h>
@@ -19,6 +18,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/vertex_point_map.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/spectral/Heat_solver.h>
 
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -51,6 +52,8 @@ in the \cgal package Heat_method_3, which this class wraps so that it suits func
   error, and one component does not change the distances in another.
 - Where no source is, the distance is the largest one that occurs elsewhere: finite and constant, so
   that a Reeb graph of the distances has no more than the two ends that a constant function has there.
+- Long and thin shapes are no error, either: that heat is no number any more some 700 edges away from the
+  sources does not matter.
 - Degenerate faces do no harm: their corners are moved by about a millionth of the mean edge length.
 
 The distances are approximate, with errors in proportion to the edge length: about one percent on a
@@ -147,8 +150,7 @@ public:
 
   Takes O(n log n) time for *n* vertices, plus O(n m) for *m* sources.
 
-  \throws Numerical_error if a distance is not a number, since so little heat arrives far from the
-          sources (at several hundred mean edge lengths) that it is no number any more
+  \throws Numerical_error if the heat method does not find the distances
   */
   template <class VertexRange, class VertexDistanceMap>
   void write_distances(const VertexRange& sources, VertexDistanceMap distances)
@@ -227,23 +229,26 @@ public:
     });
     std::size_t i = 0;
     for (const Plain_vertex v : part.plain.vertices) {
-      result[i] = get(map, v) * part.plain.unit;
-      if (!std::isfinite(result[i]))
-        throw Numerical_error("a geodesic distance is not a number: so little heat arrives there");
+      // CGAL leaves the largest number where it finds no distance
+      const double distance = get(map, v);
+      if (!(distance < (std::numeric_limits<double>::max)()))
+        throw Numerical_error("the heat method found no geodesic distance");
+      result[i] = distance * part.plain.unit;
       ++i;
     }
+    for (const std::size_t source : sources)
+      CGAL_assertion(result[source] == 0);
     return result;
   }
 
   /// \endcond
 
 private:
-  using Solver = Supernodal_Cholesky<typename CGAL::Eigen_sparse_matrix<double>::EigenType>;
-  using Heat =
-      CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<internal::Plain_mesh::Mesh,
-                                                             Mode,
-                                                             CGAL::Default,
-                                                             CGAL::Eigen_solver_traits<Solver>>;
+  using Heat = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<
+      internal::Plain_mesh::Mesh,
+      Mode,
+      CGAL::Default,
+      CGAL::Eigen_solver_traits<internal::Heat_solver>>;
 
   // What the heat method refers to must not move.
   struct Part

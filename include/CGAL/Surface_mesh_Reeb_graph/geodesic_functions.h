@@ -217,6 +217,8 @@ void integral_geodesic_distance_function(
           nearest[i] = distances[i];
           nearest_base_point[i] = from_base_points.size() - 1;
         }
+      // a base point is at distance 0 from itself, so that all are different ones
+      CGAL_assertion(nearest[next] == 0);
       next = internal::position_of_largest(nearest);
     } while (nearest[next] > radius * std::sqrt(area));
 
