@@ -86,9 +86,10 @@ On long or thin shapes the first eigenvalues are so small that `double` has no s
 to them than some 1e-7: rounding the numbers of `psi` alone changes `L psi` by up to the unit roundoff
 times `|L| |psi|`, and so does the rounding of the entries of *L*. There a pair is accepted, too, if its
 residual is at most four times the machine epsilon relative to `|L| |psi| + lambda M |psi|`: no
-computation with these numbers can tell it from an exact one. Its eigenvalue is better than that, since
-its error is quadratic in that of the eigenfunction: on a cylinder 10 000 times as long as its radius
-`lambda_1` is right to six digits, which the mesh has, too.
+computation with these numbers can tell it from an exact one. The relative residual must be at most the
+root of the tolerance even so: the error of a simple eigenvalue is quadratic in the residual, and then
+of the order of the tolerance. On a cylinder 10 000 times as long as its radius the residual is 4e-7, and
+`lambda_1` is that of the closed form to six digits.
 `residual()`, `backward_error()`, `orthonormality_error()` and `null_space_residual()` tell what was
 found.
 
@@ -154,7 +155,7 @@ public:
       \cgalParamDescription{the largest relative residual `||L psi - lambda M psi|| / (lambda ||M psi||)` that an eigenpair may have}
       \cgalParamType{`double`}
       \cgalParamDefault{`1e-8`}
-      \cgalParamExtra{A residual that rounding alone explains is accepted, too, see Certificates}
+      \cgalParamExtra{A residual that rounding alone explains is accepted, too, up to the root of the tolerance, see Certificates}
     \cgalParamNEnd
     \cgalParamNBegin{use_intrinsic_Delaunay}
       \cgalParamDescription{whether the operator is made from the intrinsic Delaunay triangulation of the surface \cgalCite{bobenko_2007} instead of the faces of the mesh}
@@ -506,7 +507,8 @@ private:
         internal::eigenpair_residuals(matrices.stiffness, matrices.mass, pairs);
     for (Eigen::Index i = 1; i < size; ++i) {
       if (residuals.relative[i] <= tolerance ||
-          residuals.backward[i] <= internal::attainable_backward_error)
+          (residuals.backward[i] <= internal::attainable_backward_error &&
+           residuals.relative[i] <= std::sqrt(tolerance)))
         continue;
       if (accept_converged_part) {
         size = i;
