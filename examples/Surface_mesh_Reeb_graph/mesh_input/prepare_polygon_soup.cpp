@@ -43,7 +43,7 @@ void prepare_polygon_soup(Polygon_soup& soup, const Mesh_input_options& options,
 {
   check_size(soup);
   input.number_of_points = soup.points.size();
-  input.has_property = soup.has_property;
+  input.has_property = std::exchange(soup.has_property, false);
   input.property.swap(soup.property);
   input.property_names.swap(soup.property_names);
   input.notices.swap(soup.notices);

@@ -18,9 +18,9 @@ namespace {
 
 #ifdef MESH_INPUT_WITH_VTK
 constexpr std::array<std::string_view, 6> extensions = {
-    ".off", ".obj", ".ply", ".stl", ".vtp", ".vtk"};
+    ".off", ".obj", ".ply", ".stl", ".vtk", ".vtp"};
 #else
-constexpr std::array<std::string_view, 4> extensions = {".off", ".obj", ".ply", ".stl"};
+constexpr std::array<std::string_view, 5> extensions = {".off", ".obj", ".ply", ".stl", ".vtk"};
 #endif
 
 std::string lower_extension(const std::string& file)
@@ -47,15 +47,17 @@ void check_kind(std::string_view bytes)
     throw Content_error("is a web page");
 }
 
-// What some editors write at the beginning and at the end of text.
-std::string_view without_marks(std::string_view bytes)
+// What some editors write at the beginning of text, and old systems at its end.
+std::string_view without_byte_order_mark(std::string_view bytes)
+{
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return bytes.substr(begins_with(bytes, mark) ? mark.size() : 0);
+}
+
+std::string_view without_end_of_file(std::string_view bytes)
 {
   constexpr char end_of_file = 0x1a;
-  if (begins_with(bytes, "\xef\xbb\xbf"))
-    bytes.remove_prefix(3);
-  while (!bytes.empty() && bytes.back() == end_of_file)
-    bytes.remove_suffix(1);
-  return bytes;
+  return bytes.substr(0, bytes.find_last_not_of(end_of_file) + 1);
 }
 
 } // namespace
@@ -63,9 +65,9 @@ std::string_view without_marks(std::string_view bytes)
 std::string readable_formats()
 {
 #ifdef MESH_INPUT_WITH_VTK
-  return "OFF, OBJ, PLY, STL, and VTP and VTK polydata";
+  return "OFF, OBJ, PLY, STL, VTK and VTP";
 #else
-  return "OFF, OBJ, PLY and STL";
+  return "OFF, OBJ, PLY, STL and VTK";
 #endif
 }
 
@@ -85,17 +87,19 @@ parse_polygon_soup(std::string_view bytes, std::string extension, const std::str
 {
   check_kind(bytes);
   Polygon_soup soup;
-  if (extension == ".ply")
-    read_PLY(bytes.substr(begins_with(bytes, "\xef\xbb\xbf") ? 3 : 0), property, soup);
+  if (extension == ".off")
+    read_OFF(without_byte_order_mark(bytes), soup);
   else if (extension == ".obj")
-    read_OBJ(without_marks(bytes), soup);
-  else if (extension == ".stl") // a binary one has no marks
-    read_STL(bytes.substr(begins_with(bytes, "\xef\xbb\xbf") ? 3 : 0), soup);
-  else if (extension == ".off")
-    read_OFF(begins_with(bytes, "\xef\xbb\xbf") ? bytes.substr(3) : bytes, soup);
+    read_OBJ(without_byte_order_mark(without_end_of_file(bytes)), soup);
+  else if (extension == ".ply")
+    read_PLY(without_byte_order_mark(bytes), property, soup);
+  else if (extension == ".stl")
+    read_STL(without_byte_order_mark(bytes), soup);
+  else if (extension == ".vtk")
+    read_legacy_VTK(without_byte_order_mark(bytes), property, soup);
 #ifdef MESH_INPUT_WITH_VTK
   else
-    read_VTK(bytes, extension == ".vtp", property, soup);
+    read_VTP(without_byte_order_mark(bytes), property, soup);
 #endif
   return soup;
 }

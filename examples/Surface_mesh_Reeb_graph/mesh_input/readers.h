@@ -26,8 +26,11 @@ void read_PLY(std::string_view bytes, const std::string& property, Polygon_soup&
 // they are met first.
 void read_STL(std::string_view bytes, Polygon_soup& soup);
 
-// The polygons and triangle strips of VTK polydata, XML or legacy; `property` names the array of its
-// points that is wanted. Defined only where the program is built with VTK.
-void read_VTK(std::string_view bytes, bool is_XML, const std::string& property, Polygon_soup& soup);
+// The polygons and triangle strips of VTK's legacy files of polydata, as text or binary; `property` names
+// the array of one component at the points that is wanted.
+void read_legacy_VTK(std::string_view bytes, const std::string& property, Polygon_soup& soup);
+
+// The same of VTK's XML files, by VTK's reader. Defined only where the program is built with VTK.
+void read_VTP(std::string_view bytes, const std::string& property, Polygon_soup& soup);
 
 #endif // MESH_INPUT_READERS_H

@@ -120,6 +120,9 @@ public:
     return false;
   }
 
+  // Passes over bytes that are no lines.
+  void skip(std::size_t size) { m_rest.remove_prefix(size); }
+
   std::size_t number() const { return m_number; } // of the line that was read last, from 1 on
   std::string_view rest() const { return m_rest; }
 

@@ -268,10 +268,11 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "close loops lower than this fraction of the function's range")(
       "threshold-absolute",
       po::bool_switch(&options.threshold_is_absolute),
-      "the numbers of --simplify and --close-loops are differences of values, not fractions of the "
-      "range")("leaves",
-               po::value(&options.leaves)->value_name("N"),
-               "cancel more branches until no more than N minima and maxima are left")(
+      "both thresholds are differences of values, not fractions of the range: one value far away "
+      "from all others makes the range useless")(
+      "leaves",
+      po::value(&options.leaves)->value_name("N"),
+      "cancel more branches until no more than N minima and maxima are left")(
       "unfold",
       po::bool_switch(&options.unfold),
       "make simple saddles of multiple ones: then there is a loop for every handle")(

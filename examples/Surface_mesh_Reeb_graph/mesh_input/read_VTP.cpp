@@ -1,16 +1,16 @@
 #include "readers.h"
 #include "text.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -22,42 +22,64 @@
 
 namespace {
 
-// Keeps the first thing that a reader complains of, which it would print otherwise.
-void keep_message(vtkObject*, unsigned long, void* message, void* text)
+// Keeps the first error that VTK would print, and prints nothing: VTK's readers go on with what they
+// have.
+class First_error : public vtkOutputWindow
 {
-  auto& kept = *static_cast<std::string*>(message);
-  if (kept.empty() && text != nullptr)
-    kept = static_cast<const char*>(text);
-}
+public:
+  static First_error* New();
+  vtkTypeMacro(First_error, vtkOutputWindow);
 
-// VTK's messages take several lines, the first ones with the place in its own source code.
-std::string last_line(std::string message)
-{
-  while (!message.empty() && is_blank(message.back()))
-    message.pop_back();
-  message.erase(0, message.find_last_of("\r\n") + 1);
-  return message.substr(message.rfind("): ") == message.npos ? 0 : message.rfind("): ") + 3);
-}
+  void DisplayText(const char*) override {}
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    if (m_text.empty() && text != nullptr)
+      m_text = text;
+  }
 
-template <class Reader>
+  // Without the first line, which has the place in VTK's source code, and the rest in one line.
+  std::string message() const
+  {
+    std::string message;
+    Lines lines(m_text);
+    std::string_view line;
+    while (lines.next(line))
+      if (!line.empty() && !begins_with(line, "ERROR: In "))
+        (message += message.empty() ? "" : " ") += line;
+    const std::size_t end_of_address = message.find("): ");
+    return message.substr(end_of_address == message.npos ? 0 : end_of_address + 3);
+  }
+
+  bool is_set() const { return !m_text.empty(); }
+
+private:
+  std::string m_text;
+};
+
+vtkStandardNewMacro(First_error);
+
 vtkSmartPointer<vtkPolyData> read_polydata(std::string_view bytes)
 {
-  std::string message;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(keep_message);
-  observer->SetClientData(&message);
-  vtkObject::GlobalWarningDisplayOff();
-  vtkNew<Reader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  const vtkSmartPointer<vtkOutputWindow> window = vtkOutputWindow::GetInstance();
+  const vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkNew<First_error> error;
+  vtkOutputWindow::SetInstance(error);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(std::string(bytes));
   reader->Update();
-  if (!message.empty() || reader->GetErrorCode() != 0)
+  vtkLogger::SetStderrVerbosity(verbosity);
+  vtkOutputWindow::SetInstance(window);
+  if (error->is_set() || reader->GetErrorCode() != 0)
     throw Content_error(
         "cannot be read by VTK: " +
-        (message.empty() ? "error " + std::to_string(reader->GetErrorCode()) : last_line(message)));
+        (error->is_set() ? error->message() : "error " + std::to_string(reader->GetErrorCode())));
   vtkPolyData* const data = reader->GetOutput();
-  if (data == nullptr)
+  if (data == nullptr || data->GetNumberOfPoints() < 0)
     throw Content_error("holds no polydata");
   return data;
 }
@@ -144,10 +166,9 @@ void read_cells(vtkPolyData& data, Polygon_soup& soup)
 
 } // namespace
 
-void read_VTK(std::string_view bytes, bool is_XML, const std::string& property, Polygon_soup& soup)
+void read_VTP(std::string_view bytes, const std::string& property, Polygon_soup& soup)
 {
-  const vtkSmartPointer<vtkPolyData> data =
-      is_XML ? read_polydata<vtkXMLPolyDataReader>(bytes) : read_polydata<vtkPolyDataReader>(bytes);
+  const vtkSmartPointer<vtkPolyData> data = read_polydata(bytes);
   read_points(*data, soup);
   read_property(*data, property, soup);
   read_cells(*data, soup);
