@@ -95,7 +95,6 @@ Outcome repaired(Polygon_soup soup, const Mesh_input_options& options = {})
   prepare_polygon_soup(soup, options, result.input);
   build_mesh(soup, result.mesh);
   BOOST_TEST(result.mesh.is_valid());
-  BOOST_TEST(CGAL::is_valid_polygon_mesh(result.mesh));
   BOOST_TEST(CGAL::is_triangle_mesh(result.mesh));
   BOOST_REQUIRE(result.input.point_of_vertex.size() == result.mesh.number_of_vertices());
   std::set<std::pair<std::size_t, std::size_t>> edges;

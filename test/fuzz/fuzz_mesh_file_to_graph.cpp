@@ -24,7 +24,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 void compute(Mesh& mesh)
 {
-  require(CGAL::is_valid_polygon_mesh(mesh), "the mesh is valid");
+  require(mesh.is_valid(), "the mesh is valid");
   require(CGAL::is_triangle_mesh(mesh), "the mesh has triangles");
   const auto values = mesh.add_property_map<Mesh::Vertex_index, double>("v:value").first;
   for (const auto v : mesh.vertices())
