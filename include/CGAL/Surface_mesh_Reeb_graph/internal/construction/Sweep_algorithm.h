@@ -76,7 +76,9 @@ public:
     if (pass_vertices(sorted) !=
         static_cast<std::size_t>(std::distance(range.begin(), range.end())))
       throw_internal_error("the circulations around the vertices miss edges");
-    CGAL_assertion(m_result.are_arcs_upward()); // all of them have come to an end
+    // in a halfedge structure that is not valid, an arc may not have come to its end
+    if (!m_result.are_arcs_upward())
+      throw_internal_error("an arc does not end in a higher node");
     if (m_request.has_vertex_arcs)
       m_result.set_arcs_of_nodes(m_vertex_index_map);
     return std::move(m_result);
