@@ -4,8 +4,8 @@
 #
 #   examples/run.sh [MESH [OPTION]...]
 #
-# MESH is an OFF, OBJ, PLY or STL file; CGAL's camel if it is not given. The options are those of the
-# tool, "--simplify 0.1" if none is given.
+# MESH is an OFF, OBJ, PLY, STL or VTK file; CGAL's camel if it is not given. The options are those of
+# the tool, "--simplify 0.1" if none is given.
 set -euo pipefail
 
 # shellcheck source=examples/common.sh

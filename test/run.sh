@@ -12,7 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../examples/common.sh"
 prepare()
 {
   install_missing g++ cmake make libcgal-dev libeigen3-dev libspectra-dev libboost-dev \
-    libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev &&
+    libboost-graph-dev libboost-program-options-dev libboost-test-dev nlohmann-json3-dev python3 &&
     find_cgal_data &&
     configure test -D SURFACE_MESH_REEB_GRAPH_BUILD_EXAMPLES=ON \
       -D SURFACE_MESH_REEB_GRAPH_BUILD_TESTS=ON "$@" &&

@@ -13,9 +13,9 @@
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 
 #include <boost/graph/connected_components.hpp>
+#include <boost/program_options/errors.hpp>
 
 #include <cstddef>
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -23,20 +23,33 @@
 #include <string>
 #include <vector>
 
+// Which property of the points is wanted: with VTK files, --values may name one.
+Mesh_input_options input_options(const Options& options)
+{
+  Mesh_input_options result = options.input;
+  result.property = options.values_property.empty() ? options.values_file : options.values_property;
+  return result;
+}
+
 void run(const Options& options, Result& result)
 {
   Progress progress;
   timed(result.seconds.read, progress, "reading the mesh", [&]() {
-    result.mesh = read_mesh(options.mesh_file);
+    read_mesh(options.mesh_file, input_options(options), result.mesh, result.input);
   });
+  progress.say("");
+  print_findings(std::cerr, "reeb_graph: " + options.mesh_file, result.input);
   result.values = result.mesh.add_property_map<vertex_descriptor, double>("v:value").first;
   result.arcs = result.mesh.add_property_map<vertex_descriptor, int>("v:arc", -1).first;
 
-  if (options.values_file.empty())
+  if (!options.has_values())
     compute_function(options, result, progress);
   else
     timed(result.seconds.function, progress, "reading the function", [&]() {
-      read_values(options.values_file, result.mesh, result.values);
+      if (options.values_file.empty() || result.input.has_property)
+        use_property(options, result.input, result.values);
+      else
+        read_values(options.values_file, result.input, result.values);
     });
   const auto graph_parameters = SMRG::parameters::vertex_arc_map(result.arcs)
                                     .collect_arc_vertices(true)
@@ -58,6 +71,7 @@ void run(const Options& options, Result& result)
                               result.graph,
                               graph_parameters.persistence_threshold(options.simplify)
                                   .persistence_gap(options.gap)
+                                  .threshold_is_absolute(options.threshold_is_absolute)
                                   .loop_persistence_threshold(options.close_loops)
                                   .number_of_leaves(options.leaves));
   });
@@ -69,30 +83,49 @@ void run(const Options& options, Result& result)
   });
 }
 
+// Runs the tool, and throws what goes wrong.
+int main_or_throw(int argc, char* argv[], Options& options)
+{
+  try {
+    if (!parse_options(argc, argv, options))
+      return DONE;
+  } catch (const boost::program_options::error& error) {
+    throw Usage_error(error.what());
+  }
+  Result result;
+  run(options, result);
+  if (options.json)
+    print_json(std::cout, result);
+  else
+    print_text(std::cout, options, result);
+  std::cout.flush();
+  if (!std::cout)
+    throw File_error("standard output", "could not be written");
+  return DONE;
+}
+
 int main(int argc, char* argv[])
 {
   Options options;
+  const auto fail = [](int status, const std::string& message) {
+    std::cerr << "reeb_graph: " << message << '\n';
+    return status;
+  };
+  // what the function comes from is to blame
+  const auto source = [&]() {
+    return options.values_file.empty() ? options.mesh_file : options.values_file;
+  };
   try {
-    if (!parse_options(argc, argv, options))
-      return EXIT_SUCCESS;
-    Result result;
-    try {
-      run(options, result);
-    } catch (const SMRG::Error& error) {
-      throw File_error(options.values_file.empty() ? options.mesh_file : options.values_file,
-                       error.what());
-    }
-    if (options.json)
-      print_json(std::cout, result);
-    else
-      print_text(std::cout, options, result);
+    return main_or_throw(argc, argv, options);
+  } catch (const Usage_error& error) {
+    return fail(BAD_USAGE, error.what());
+  } catch (const SMRG::Input_error& error) {
+    return fail(BAD_INPUT, source() + ": " + error.what());
+  } catch (const SMRG::Error& error) {
+    return fail(NOT_COMPUTED, options.mesh_file + ": " + error.what());
   } catch (const std::bad_alloc&) {
-    std::cerr << "reeb_graph: " << options.mesh_file << ": there is not enough memory\n";
-    return EXIT_FAILURE;
+    return fail(NOT_COMPUTED, options.mesh_file + ": there is not enough memory");
   } catch (const std::exception& error) {
-    std::cerr << "reeb_graph: " << error.what() << '\n';
-    return EXIT_FAILURE;
+    return fail(BAD_INPUT, error.what());
   }
-  std::cout.flush();
-  return std::cout ? EXIT_SUCCESS : EXIT_FAILURE;
 }

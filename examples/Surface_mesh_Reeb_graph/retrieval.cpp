@@ -88,12 +88,10 @@ std::vector<std::string> files_in(const std::string& folder, const Predicate& is
 
 std::vector<std::string> meshes_in(const std::string& folder)
 {
-  const std::vector<std::string> result = files_in(folder, [](const fs::path& path) {
-    const std::string type = boost::algorithm::to_lower_copy(path.extension().string());
-    return type == ".off" || type == ".obj" || type == ".ply" || type == ".stl";
-  });
+  const std::vector<std::string> result =
+      files_in(folder, [](const fs::path& path) { return has_readable_format(path.string()); });
   if (result.empty())
-    throw File_error(folder, "holds no OFF, OBJ, PLY or STL file");
+    throw File_error(folder, "holds no file in one of the formats " + readable_formats());
   return result;
 }
 
@@ -103,9 +101,11 @@ using Signatures = std::vector<SMRG::Shape_signature>;
 Signatures signatures_of(const std::string& mesh_file, const std::vector<std::string>& functions)
 {
   Mesh mesh;
+  Mesh_input input;
+  read_mesh(mesh_file, Mesh_input_options(), mesh, input);
   {
     const std::lock_guard<std::mutex> lock(error_stream_mutex);
-    mesh = read_mesh(mesh_file);
+    print_findings(std::cerr, "retrieval: " + mesh_file, input);
   }
   try {
     const Basis basis(mesh);

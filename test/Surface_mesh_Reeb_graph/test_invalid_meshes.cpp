@@ -197,3 +197,69 @@ BOOST_AUTO_TEST_CASE(plateaus_are_searched_to_an_end)
   Graph graph;
   BOOST_CHECK_THROW(SMRG::compute_Reeb_graph(c.mesh, c.values, graph), SMRG::Input_error);
 }
+
+// Any reference of the structure may be wrong, one or several: nothing circles for ever or reads
+// what is not there, and an error blames the mesh.
+BOOST_AUTO_TEST_CASE(damaged_halfedge_structures_are_an_error)
+{
+  unsigned number_of_errors = 0;
+  for (unsigned seed = 0; seed < 5 * number_of_random_cases(); ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed)
+    {
+      std::mt19937 rng(seed);
+      const Index_mesh index_mesh = closed_surface(seed % 3, 5, 4);
+      const std::size_t n = index_mesh.points.size();
+      Case c(index_mesh, seed % 2 == 0 ? random_values(n, rng) : random_integer_values(n, 7, rng));
+      const auto random_number = [&](std::size_t size) {
+        return static_cast<Mesh::size_type>(random_index(size, rng));
+      };
+      for (std::size_t i = 0; i < 1 + seed % 3; ++i) {
+        const Halfedge h(random_number(c.mesh.number_of_halfedges())),
+            other(random_number(c.mesh.number_of_halfedges()));
+        const Vertex v(random_number(n));
+        const Mesh::Face_index f(random_number(c.mesh.number_of_faces()));
+        switch (random_index(7, rng)) {
+        case 0:
+          c.mesh.set_next_only(h, other);
+          break;
+        case 1:
+          c.mesh.set_prev_only(h, other);
+          break;
+        case 2:
+          c.mesh.set_next(h, other);
+          break;
+        case 3:
+          c.mesh.set_target(h, v);
+          break;
+        case 4:
+          c.mesh.set_face(h, f);
+          break;
+        case 5:
+          c.mesh.set_halfedge(v, h);
+          break;
+        default:
+          c.mesh.set_halfedge(f, h);
+        }
+      }
+      for (const auto algorithm :
+           {SMRG::Reeb_graph_algorithm::CUTTING, SMRG::Reeb_graph_algorithm::SWEEP})
+      {
+        Graph graph;
+        const auto arcs = c.mesh.add_property_map<Vertex, std::size_t>("v:arc").first;
+        try {
+          SMRG::compute_Reeb_graph(
+              c.mesh,
+              c.values,
+              graph,
+              SMRG::parameters::vertex_arc_map(arcs).algorithm(algorithm).unfold_multiple_saddles(
+                  seed % 5 == 0));
+        } catch (const SMRG::Input_error&) {
+          ++number_of_errors;
+        } catch (const CGAL::Assertion_exception&) { // may see it first
+          ++number_of_errors;
+        }
+      }
+    }
+  }
+  BOOST_TEST(number_of_errors > 0u);
+}

@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
                                        "degenerate",
                                        "feature_points",
                                        "seconds",
-                                       "eigenvalues"};
+                                       "eigenvalues",
+                                       "repairs"};
   std::sort(expected.begin(), expected.end());
   BOOST_TEST(keys == expected, boost::test_tools::per_element());
   for (const auto& item : j["seconds"].items())
@@ -260,14 +261,14 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   check("empty.off", "", {"empty"});
   check("type.xyz", "OFF\n", {"unknown type"});
-  check("garbage.off", "no mesh at all", {"cannot be read"});
-  check("truncated.off", "OFF\n4 4 0\n" + points + "3 0 1 2\n", {"cannot be read"});
-  check("index.off", "OFF\n4 1 0\n" + points + "3 0 1 7\n", {"cannot be read"});
-  check("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {"cannot be read"});
-  check("edge.off",
-        "OFF\n5 3 0\n" + points + "0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
-        {"between vertices 0 and 1", "3 faces"});
-  check("twice.off", "OFF\n4 1 0\n" + points + "3 0 1 1\n", {"same vertex twice"});
+  check("garbage.off", "no mesh at all", {"line 1", "'no'"});
+  check("truncated.off", "OFF\n4 4 0\n" + points + "3 0 1 2\n", {"ends before face 1 of 4"});
+  check("index.off", "OFF\n4 1 0\n" + points + "3 0 1 7\n", {"line 7", "face 0", "'7'"});
+  check("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", {"line 3", "'nan'"});
+  check(
+      "edge.off",
+      "OFF\n5 3 0\n" + points + "0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n",
+      {"between the vertices 0 and 1", "3 faces (faces 0, 1 and 2)", "--split-nonmanifold-edges"});
   check_error(folder, "'" + folder.file("none.off") + "'", {"none.off", "opened"});
   check_error(folder, "'" + folder.path.string() + "'", {"opened"});
   // a function that needs an area
@@ -277,20 +278,22 @@ BOOST_AUTO_TEST_CASE(bad_meshes_are_one_line_of_error)
         "OFF\n6 6 0\n" + points + "1 1 0\n1 0 1\n" +
             "3 0 1 2\n3 1 3 2\n3 2 3 4\n3 3 5 4\n3 4 5 1\n3 5 0 1\n",
         {"one side"});
-  check("fans.off",
-        "OFF\n7 8 0\n" + points + "-1 0 0\n0 -1 0\n0 0 -1\n" +
-            "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n3 0 6 4\n3 0 5 6\n3 4 6 5\n",
-        {"several fans"});
-  check("hello.stl", "hello", {"no vertices"});
-  check_error(folder,
-              "'" + folder.write("four.off", sphere(0)) + "' --function eigenfunction --index 100",
-              {"four.off", "no eigenfunction 100"});
+  check("hello.stl", "hello", {"'hello'", "solid"});
+  check_usage_error(folder,
+                    "'" + folder.write("four.off", sphere(0)) +
+                        "' --function eigenfunction --index 100",
+                    {"four.off", "no eigenfunction 100"});
 
-  // no errors: an empty mesh, points only, quadrangles
-  BOOST_TEST(report(folder, "'" + folder.write("none.off", "OFF\n0 0 0\n") + "'")["nodes"] == 0);
-  BOOST_TEST(
-      report(folder,
-             "'" + folder.write("points.off", "OFF\n4 0 0\n" + points) + "'")["components"] == 4);
+  // no errors, but loud: an empty mesh, points only
+  std::string findings;
+  BOOST_TEST(report(folder,
+                    "'" + folder.write("none.off", "OFF\n0 0 0\n") + "'",
+                    &findings)["nodes"] == 0);
+  BOOST_TEST(findings.find("no vertices") != findings.npos);
+  BOOST_TEST(report(folder,
+                    "'" + folder.write("points.off", "OFF\n4 0 0\n" + points) + "'",
+                    &findings)["components"] == 4);
+  BOOST_TEST(findings.find("no faces") != findings.npos);
   const nlohmann::json quad = report(
       folder,
       "'" + folder.write("quad.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n") + "'");
@@ -322,7 +325,10 @@ BOOST_AUTO_TEST_CASE(meshes_that_need_repair_are_read)
   for (const std::string& file :
        {folder.write("turned.off", off.str()), folder.write("line.obj", obj.str())})
   {
-    const nlohmann::json found = report(folder, "'" + file + "'" + options);
+    std::string findings;
+    const nlohmann::json found = report(folder, "'" + file + "'" + options, &findings);
+    BOOST_TEST(count(findings, "turned to agree") == count(file, "turned.off"));
+    BOOST_TEST(found["repairs"].size() == count(file, "turned.off"));
     for (const char* key : {"vertices", "faces", "nodes", "arcs", "loops", "minima", "splits"})
       BOOST_TEST(found[key] == expected[key], file << ", " << key);
   }
@@ -348,64 +354,80 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
 {
   const Folder folder;
   const std::string mesh = "'" + folder.write("mesh.off", sphere(1)) + "' ";
-  check_error(folder, "", {"mesh"});
-  check_error(folder, mesh + "--no-such-option 3", {"no-such-option"});
-  check_error(folder, mesh + "--function shape", {"shape", "commute_time", "height"});
-  check_error(folder, mesh + "--function height --axis 1,2", {"--axis", "1,2"});
-  check_error(folder, mesh + "--function height --axis 0,0,0", {"--axis", "direction"});
-  check_error(
+  check_usage_error(folder, "", {"mesh"});
+  check_usage_error(folder, mesh + "--no-such-option 3", {"no-such-option"});
+  check_usage_error(folder, mesh + "--function shape", {"shape", "commute_time", "height"});
+  check_usage_error(folder, mesh + "--function height --axis 1,2", {"--axis", "1,2"});
+  check_usage_error(folder, mesh + "--function height --axis 0,0,0", {"--axis", "direction"});
+  check_usage_error(
       folder, mesh + "--function height --axis 1.7e308,1.7e308,1.7e308", {"--axis", "direction"});
-  check_error(folder, mesh + "--function eigenfunction --index 0", {"--index"});
-  check_error(
+  check_usage_error(folder, mesh + "--function eigenfunction --index 0", {"--index"});
+  check_usage_error(
       folder, mesh + "--function eigenfunction --index 42", {"--index", "eigenfunction 42"});
   // less than the number of vertices, but more than a component has
   Index_mesh two_spheres = sphere(0);
   const std::string index = std::to_string(two_spheres.points.size());
   append(two_spheres, sphere(0), 5);
-  check_error(folder,
-              "'" + folder.write("two.off", two_spheres) + "' --function eigenfunction --index " +
-                  index,
-              {"--index", "eigenfunction " + index, "component"});
-  check_error(folder, mesh + "--index -1", {"--index"});
-  check_error(folder, mesh + "--eigenpairs 0", {"--eigenpairs"});
-  check_error(folder, mesh + "--eigenpairs -3", {"--eigenpairs"});
-  check_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
-  check_error(folder, mesh + "--simplify -0.1", {"--simplify"});
-  check_error(folder, mesh + "--simplify nan", {"--simplify"});
+  check_usage_error(folder,
+                    "'" + folder.write("two.off", two_spheres) +
+                        "' --function eigenfunction --index " + index,
+                    {"--index", "eigenfunction " + index, "component"});
+  check_usage_error(folder, mesh + "--index -1", {"--index"});
+  check_usage_error(folder, mesh + "--eigenpairs 0", {"--eigenpairs"});
+  check_usage_error(folder, mesh + "--eigenpairs -3", {"--eigenpairs"});
+  check_usage_error(folder, mesh + "--eigenpairs many", {"eigenpairs", "many"});
+  check_usage_error(folder, mesh + "--simplify -0.1", {"--simplify"});
+  check_usage_error(folder, mesh + "--simplify nan", {"--simplify"});
   for (const std::string text : {"wide", "0.1x", "gap:", "gap:0", "gap:-1", "gap:two", "gap2"})
-    check_error(folder, mesh + "--simplify " + text, {"--simplify", text});
-  check_error(folder, mesh + "--close-loops nan", {"--close-loops"});
-  check_error(folder, mesh + "--close-loops -1", {"--close-loops"});
-  check_error(folder, mesh + "--leaves -1", {"--leaves"});
+    check_usage_error(folder, mesh + "--simplify " + text, {"--simplify", text});
+  check_usage_error(folder, mesh + "--close-loops nan", {"--close-loops"});
+  check_usage_error(folder, mesh + "--close-loops -1", {"--close-loops"});
+  check_usage_error(folder, mesh + "--leaves -1", {"--leaves"});
   check_error(folder, mesh + "--diagram '" + folder.file("no/such/x.pers") + "'", {"x.pers"});
-  check_error(folder, mesh + "--small-time nan", {"--small-time"});
-  check_error(folder, mesh + "--small-time -1", {"--small-time"});
-  check_error(folder, mesh + "--large-time -1", {"--large-time"});
-  check_error(folder, mesh + "--large-time inf", {"--large-time"});
-  check_error(folder, mesh + "--report xml", {"xml"});
+  check_usage_error(folder, mesh + "--small-time nan", {"--small-time"});
+  check_usage_error(folder, mesh + "--small-time -1", {"--small-time"});
+  check_usage_error(folder, mesh + "--large-time -1", {"--large-time"});
+  check_usage_error(folder, mesh + "--large-time inf", {"--large-time"});
+  check_usage_error(folder, mesh + "--report xml", {"xml"});
   check_error(
       folder, mesh + "--output '" + folder.file("no/such/folder/x") + "'", {"x.values.txt"});
 
   // options without effect
-  check_error(folder, mesh + "--axis 1,0,0", {"--axis", "commute_time", "height"});
-  check_error(folder, mesh + "--function height --source 1", {"--source", "height", "geodesic"});
-  check_error(folder, mesh + "--function geodesic --source 1 --time 2", {"--time", "geodesic"});
-  check_error(folder, mesh + "--function barycentre --eigenpairs 5", {"--eigenpairs"});
-  check_error(folder, mesh + "--values x.txt --index 2", {"--index", "--values"});
-  check_error(folder, mesh + "--values x.txt --function height", {"--function", "--values"});
-  check_error(folder, mesh + "--features x.txt --small-time 1", {"--small-time", "--features"});
+  check_usage_error(folder, mesh + "--axis 1,0,0", {"--axis", "commute_time", "height"});
+  check_usage_error(
+      folder, mesh + "--function height --source 1", {"--source", "height", "geodesic"});
+  check_usage_error(
+      folder, mesh + "--function geodesic --source 1 --time 2", {"--time", "geodesic"});
+  check_usage_error(folder, mesh + "--function barycentre --eigenpairs 5", {"--eigenpairs"});
+  check_usage_error(folder, mesh + "--values x.txt --index 2", {"--index", "--values"});
+  check_usage_error(folder, mesh + "--values x.txt --function height", {"--function", "--values"});
+  check_usage_error(
+      folder, mesh + "--features x.txt --small-time 1", {"--small-time", "--features"});
+  check_usage_error(
+      folder, mesh + "--values x.txt --values-from-property y", {"--values-from-property"});
+  check_usage_error(
+      folder, mesh + "--values-from-property y", {"--values-from-property", "no effect"});
+  check_usage_error(folder, mesh + "--threshold-absolute", {"--threshold-absolute", "--simplify"});
+  check_usage_error(
+      folder, mesh + "--threshold-absolute --simplify gap", {"--threshold-absolute", "--simplify"});
+  check_usage_error(folder,
+                    mesh + "--function height --residual-tolerance 1e-6",
+                    {"--residual-tolerance", "height"});
+  check_usage_error(folder, mesh + "--residual-tolerance 0", {"--residual-tolerance"});
+  check_usage_error(folder, mesh + "--weld -1", {"--weld"});
+  check_usage_error(folder, mesh + "--weld nan", {"--weld"});
   // lists of vertices
-  check_error(folder, mesh + "--function diffusion", {"diffusion", "--source"});
-  check_error(folder, mesh + "--function harmonic --minima 1", {"harmonic", "--maxima"});
-  check_error(folder, mesh + "--function harmonic --minima 1,2 --maxima 3,2", {"vertex 2"});
-  check_error(folder, mesh + "--function geodesic --source 1,,2", {"--source", "''"});
-  check_error(folder, mesh + "--function geodesic --source 1,", {"--source", "1,"});
-  check_error(folder, mesh + "--function geodesic --source -1", {"--source", "-1"});
+  check_usage_error(folder, mesh + "--function diffusion", {"diffusion", "--source"});
+  check_usage_error(folder, mesh + "--function harmonic --minima 1", {"harmonic", "--maxima"});
+  check_usage_error(folder, mesh + "--function harmonic --minima 1,2 --maxima 3,2", {"vertex 2"});
+  check_usage_error(folder, mesh + "--function geodesic --source 1,,2", {"--source", "''"});
+  check_usage_error(folder, mesh + "--function geodesic --source 1,", {"--source", "1,"});
+  check_usage_error(folder, mesh + "--function geodesic --source -1", {"--source", "-1"});
   for (const std::string function : {"geodesic", "biharmonic"})
-    check_error(folder,
-                mesh + "--function " + function + " --source 0,42",
-                {"mesh.off", "--source", "vertex 42", "42"});
-  check_error(folder, mesh + "--function diffusion --source 1 --time -1", {"--time"});
+    check_usage_error(folder,
+                      mesh + "--function " + function + " --source 0,42",
+                      {"mesh.off", "--source", "vertex 42", "42"});
+  check_usage_error(folder, mesh + "--function diffusion --source 1 --time -1", {"--time"});
   for (const std::string content : {"", "1 2 x", "42", "-1"}) {
     const std::string features = folder.write("features.txt", content);
     for (const std::string function : {"commute_time", "tierny", "curvature"})
@@ -435,7 +457,13 @@ BOOST_AUTO_TEST_CASE(bad_options_are_one_line_of_error)
                                    "--small-time",
                                    "--large-time",
                                    "--output",
-                                   "--report"})
+                                   "--report",
+                                   "--threshold-absolute",
+                                   "--residual-tolerance",
+                                   "--strict",
+                                   "--split-nonmanifold-edges",
+                                   "--weld",
+                                   "--values-from-property"})
     BOOST_TEST(count(help.out, option + " ") == 1u);
 }
 

@@ -92,29 +92,47 @@ inline Run run(const Folder& folder, const std::string& arguments)
   return {status, content(folder.file("stdout")), content(folder.file("stderr"))};
 }
 
-inline nlohmann::json report(const Folder& folder, const std::string& arguments)
+// `findings` receives what the tool says about the mesh file; without it, there is nothing to say.
+inline nlohmann::json
+report(const Folder& folder, const std::string& arguments, std::string* findings = nullptr)
 {
   const Run r = run(folder, arguments + " --report json");
-  BOOST_TEST(r.error == "");
+  if (findings != nullptr)
+    *findings = r.error;
+  else
+    BOOST_TEST(r.error == "");
   BOOST_REQUIRE(r.status == 0);
   return nlohmann::json::parse(r.out);
 }
 
+// The exit statuses that the tool documents.
+enum Exit_status { BAD_INPUT = 1, BAD_USAGE = 2, NOT_COMPUTED = 3 };
+
 // One line on the error stream that has all the given words in it, and nothing else.
 inline void check_error(const Folder& folder,
                         const std::string& arguments,
-                        const std::vector<std::string>& words)
+                        const std::vector<std::string>& words,
+                        Exit_status status = BAD_INPUT)
 {
   BOOST_TEST_CONTEXT("reeb_graph " << arguments)
   {
     const Run r = run(folder, arguments);
-    BOOST_TEST(r.status != 0);
     BOOST_TEST(WIFEXITED(r.status)); // no signal
+    BOOST_TEST(WEXITSTATUS(r.status) == status);
     BOOST_TEST(r.out == "");
     BOOST_TEST(count(r.error, "\n") == 1u);
     for (const std::string& word : words)
       BOOST_TEST(r.error.find(word) != std::string::npos, r.error << " does not say " << word);
   }
+}
+
+// The same for the options, of which the mesh file is not accused.
+inline void check_usage_error(const Folder& folder,
+                              const std::string& arguments,
+                              const std::vector<std::string>& words)
+{
+  check_error(folder, arguments, words, BAD_USAGE);
+  BOOST_TEST(content(folder.file("stderr")).find("reeb_graph: /") == std::string::npos);
 }
 
 inline std::vector<double> numbers(const std::string& file)

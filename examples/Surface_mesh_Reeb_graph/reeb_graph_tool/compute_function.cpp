@@ -27,10 +27,9 @@ std::vector<vertex_descriptor> vertices_of(const std::string& option,
   std::vector<vertex_descriptor> result;
   for (const std::size_t number : numbers) {
     if (number >= mesh.number_of_vertices())
-      throw File_error(options.mesh_file,
-                       option + ": there is no vertex " + std::to_string(number) +
-                           "; the mesh has " + std::to_string(mesh.number_of_vertices()) +
-                           ", numbered from 0");
+      throw Usage_error(option + ": there is no vertex " + std::to_string(number) + "; " +
+                        options.mesh_file + " has " + std::to_string(mesh.number_of_vertices()) +
+                        ", numbered from 0");
     result.push_back(vertex_descriptor(static_cast<vertex_descriptor::size_type>(number)));
   }
   return result;
@@ -71,10 +70,9 @@ std::size_t largest_index(const Eigenbasis& basis)
 void check_index(const Options& options, std::size_t largest)
 {
   if (static_cast<std::size_t>(options.index) > largest)
-    throw File_error(options.mesh_file,
-                     "--index: no component of the mesh has an eigenfunction " +
-                         std::to_string(options.index) + "; the last one is " +
-                         std::to_string(largest));
+    throw Usage_error("--index: no component of " + options.mesh_file + " has an eigenfunction " +
+                      std::to_string(options.index) + "; the last one is " +
+                      std::to_string(largest));
 }
 
 // log(lambda_k / lambda_1) of the first component that has so many eigenvalues.
@@ -223,10 +221,10 @@ void compute_function(const Options& options, Result& result, Progress& progress
   const bool has_index =
       options.function == "eigenfunction" || options.function == "wave_kernel_signature";
   if (has_index && std::size_t(options.index) >= result.mesh.number_of_vertices())
-    throw File_error(options.mesh_file,
-                     "--index: the mesh has " + std::to_string(result.mesh.number_of_vertices()) +
-                         " vertices, so that there is no eigenfunction " +
-                         std::to_string(options.index));
+    throw Usage_error("--index: " + options.mesh_file + " has " +
+                      std::to_string(result.mesh.number_of_vertices()) +
+                      " vertices, so that there is no eigenfunction " +
+                      std::to_string(options.index));
   int number_of_eigenpairs = options.eigenpairs;
   if (options.function == "eigenfunction")
     number_of_eigenpairs = options.index;
@@ -234,8 +232,10 @@ void compute_function(const Options& options, Result& result, Progress& progress
     number_of_eigenpairs = (std::max)(options.eigenpairs, options.index);
   std::unique_ptr<Eigenbasis> basis;
   timed(result.seconds.eigenbasis, progress, "computing the eigenbasis", [&]() {
-    basis = std::make_unique<Eigenbasis>(
-        result.mesh, SMRG::parameters::number_of_eigenpairs(number_of_eigenpairs));
+    basis =
+        std::make_unique<Eigenbasis>(result.mesh,
+                                     SMRG::parameters::number_of_eigenpairs(number_of_eigenpairs)
+                                         .residual_tolerance(options.residual_tolerance));
   });
   for (std::size_t c = 0; c < basis->number_of_components(); ++c) {
     result.eigenvalues.emplace_back();

@@ -3,6 +3,8 @@
 
 #include "types.h"
 
+#include "../mesh_input/read_polygon_soup.h"
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 #include <iostream>
 #include <locale>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,10 @@ inline std::array<double, 3> parse_axis(const std::string& text)
   char comma_1 = 0, comma_2 = 0, rest = 0;
   if (!(in >> axis[0] >> comma_1 >> axis[1] >> comma_2 >> axis[2]) || comma_1 != ',' ||
       comma_2 != ',' || in >> rest)
-    throw std::runtime_error("--axis: '" + text + "' is not of the form x,y,z");
+    throw Usage_error("--axis: '" + text + "' is not of the form x,y,z");
   const double length = std::hypot(axis[0], axis[1], axis[2]);
   if (length == 0 || !std::isfinite(length))
-    throw std::runtime_error("--axis: '" + text + "' has no finite direction");
+    throw Usage_error("--axis: '" + text + "' has no finite direction");
   return axis;
 }
 
@@ -41,11 +42,11 @@ inline std::vector<std::size_t> parse_vertices(const std::string& option, const 
         !number.empty() && number.size() <= 9 &&
         std::all_of(number.begin(), number.end(), [](char c) { return '0' <= c && c <= '9'; });
     if (!is_number)
-      throw std::runtime_error(option + ": '" + number + "' is not the number of a vertex");
+      throw Usage_error(option + ": '" + number + "' is not the number of a vertex");
     result.push_back(std::stoul(number));
   }
   if (result.empty() || text.back() == ',')
-    throw std::runtime_error(option + ": '" + text + "' is not of the form i,j,...");
+    throw Usage_error(option + ": '" + text + "' is not of the form i,j,...");
   return result;
 }
 
@@ -59,21 +60,22 @@ struct Function_options
 inline const std::vector<Function_options>& function_options()
 {
   static const std::vector<Function_options> table = {
-      {"commute_time", {"eigenpairs", "small-time", "large-time", "features"}},
+      {"commute_time",
+       {"eigenpairs", "small-time", "large-time", "features", "residual-tolerance"}},
       {"height", {"axis"}},
       {"barycentre", {}},
       {"geodesic", {"source"}},
       {"integral_geodesic", {}},
       {"tierny", {"features"}},
       {"curvature", {"features"}},
-      {"auto_diffusion", {"time", "eigenpairs"}},
+      {"auto_diffusion", {"time", "eigenpairs", "residual-tolerance"}},
       {"harmonic", {"minima", "maxima"}},
-      {"eigenfunction", {"index"}},
-      {"heat_kernel_signature", {"time", "eigenpairs"}},
-      {"wave_kernel_signature", {"index", "eigenpairs"}},
-      {"diffusion", {"source", "time", "eigenpairs"}},
-      {"commute_time_distance", {"source", "eigenpairs"}},
-      {"biharmonic", {"source", "eigenpairs"}},
+      {"eigenfunction", {"index", "residual-tolerance"}},
+      {"heat_kernel_signature", {"time", "eigenpairs", "residual-tolerance"}},
+      {"wave_kernel_signature", {"index", "eigenpairs", "residual-tolerance"}},
+      {"diffusion", {"source", "time", "eigenpairs", "residual-tolerance"}},
+      {"commute_time_distance", {"source", "eigenpairs", "residual-tolerance"}},
+      {"biharmonic", {"source", "eigenpairs", "residual-tolerance"}},
       {"shape_diameter", {}},
   };
   return table;
@@ -106,15 +108,17 @@ inline bool heeds(const Function_options& entry, const std::string& option)
 template <class Is_given>
 void check_function_options(const Options& options, const Is_given& is_given)
 {
-  if (!options.values_file.empty() && is_given("function"))
-    throw std::runtime_error("--function has no effect with --values, which is a function");
+  const std::string values =
+      options.values_property.empty() ? "--values" : "--values-from-property";
+  if (options.has_values() && is_given("function"))
+    throw Usage_error("--function has no effect with " + values + ", which is a function");
   const std::vector<Function_options>& table = function_options();
   const auto chosen = std::find_if(table.begin(), table.end(), [&](const Function_options& entry) {
     return entry.function == options.function;
   });
   if (chosen == table.end())
-    throw std::runtime_error("--function: there is no function '" + options.function +
-                             "'; there are " + enumeration(function_names()));
+    throw Usage_error("--function: there is no function '" + options.function + "'; there are " +
+                      enumeration(function_names()));
   for (const std::string option : {"axis",
                                    "index",
                                    "time",
@@ -123,33 +127,32 @@ void check_function_options(const Options& options, const Is_given& is_given)
                                    "maxima",
                                    "features",
                                    "eigenpairs",
+                                   "residual-tolerance",
                                    "small-time",
                                    "large-time"})
   {
-    if (!is_given(option) || (options.values_file.empty() && heeds(*chosen, option)))
+    if (!is_given(option) || (!options.has_values() && heeds(*chosen, option)))
       continue;
     std::vector<std::string> users;
     for (const Function_options& entry : table)
       if (heeds(entry, option))
         users.push_back(entry.function);
-    throw std::runtime_error(
-        "--" + option + " has no effect with " +
-        (options.values_file.empty() ? "--function " + options.function : "--values") +
-        "; it is for " + enumeration(users));
+    throw Usage_error("--" + option + " has no effect with " +
+                      (options.has_values() ? values : "--function " + options.function) +
+                      "; it is for " + enumeration(users));
   }
   if (!options.features_file.empty())
     for (const std::string option : {"small-time", "large-time"})
       if (is_given(option))
-        throw std::runtime_error("--" + option + " has no effect with --features");
-  if (options.values_file.empty())
+        throw Usage_error("--" + option + " has no effect with --features");
+  if (!options.has_values())
     for (const std::string option : {"source", "minima", "maxima"})
       if (heeds(*chosen, option) && !is_given(option))
-        throw std::runtime_error("--function " + options.function + " needs --" + option +
-                                 ", the numbers of vertices");
+        throw Usage_error("--function " + options.function + " needs --" + option +
+                          ", the numbers of vertices");
   for (const std::size_t v : options.minima)
     if (std::find(options.maxima.begin(), options.maxima.end(), v) != options.maxima.end())
-      throw std::runtime_error("vertex " + std::to_string(v) +
-                               " is among --minima and among --maxima");
+      throw Usage_error("vertex " + std::to_string(v) + " is among --minima and among --maxima");
 }
 
 // "gap" is the widest gap, "gap:K" the K-th widest one.
@@ -163,10 +166,10 @@ inline void parse_simplify(const std::string& text, Options& options)
   } else if (text.rfind("gap:", 0) == 0) {
     in.ignore(4);
     if (!(in >> options.gap) || in >> rest || options.gap < 1)
-      throw std::runtime_error("--simplify: the number in '" + text + "' must be at least 1");
+      throw Usage_error("--simplify: the number in '" + text + "' must be at least 1");
   } else if (!(in >> options.simplify) || in >> rest || !(options.simplify >= 0)) {
-    throw std::runtime_error("--simplify: '" + text +
-                             "' is neither a number that is not negative nor gap or gap:K");
+    throw Usage_error("--simplify: '" + text +
+                      "' is neither a number that is not negative nor gap or gap:K");
   }
 }
 
@@ -176,16 +179,40 @@ inline void check_options(const Options& options)
 {
   const auto require = [](bool condition, const std::string& message) {
     if (!condition)
-      throw std::runtime_error(message);
+      throw Usage_error(message);
   };
   const auto is_time = [](double t) { return t >= 0 && std::isfinite(t); };
   require(options.index >= 1, "--index must be at least 1");
   require(is_time(options.time), "--time must be finite and not negative");
   require(options.eigenpairs >= 1, "--eigenpairs must be at least 1");
+  require(options.residual_tolerance > 0 && std::isfinite(options.residual_tolerance),
+          "--residual-tolerance must be finite and positive");
   require(options.close_loops >= 0, "--close-loops must be a number that is not negative");
   require(options.leaves >= 0, "--leaves must not be negative");
   require(is_time(options.small_time), "--small-time must be finite and not negative");
   require(is_time(options.large_time), "--large-time must be finite and not negative");
+}
+
+// Options that say how other options are meant, or need a file of a certain kind.
+template <class Is_given>
+void check_other_options(const Options& options, const Is_given& is_given)
+{
+  const auto require = [](bool condition, const std::string& message) {
+    if (!condition)
+      throw Usage_error(message);
+  };
+  require(options.values_file.empty() || options.values_property.empty(),
+          "--values and --values-from-property are two functions; only one can be used");
+  require(options.values_property.empty() || format_has_properties(options.mesh_file),
+          "--values-from-property has no effect with " + options.mesh_file +
+              ", since files of this type have no properties of vertices");
+  if (options.threshold_is_absolute)
+    require((is_given("simplify") && options.gap == 0) || is_given("close-loops"),
+            "--threshold-absolute has no effect without --simplify NUMBER or --close-loops");
+  if (is_given("weld"))
+    require(options.input.repair.weld_distance >= 0 &&
+                std::isfinite(options.input.repair.weld_distance),
+            "--weld must be finite and not negative");
 }
 
 // Returns false if the user has asked for help only.
@@ -224,7 +251,12 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       po::value(&options.values_file)->value_name("FILE"),
       "a function of your own instead: one number per vertex in the order of the mesh file (of "
       "STL files: in the order in which the points are met first), as text, or as little-endian "
-      "doubles if the name ends in .f64")(
+      "doubles if the name ends in .f64; for VTP and VTK files also the name of an array of their "
+      "points")(
+      "values-from-property",
+      po::value(&options.values_property)->value_name("NAME"),
+      "a function that the mesh file has: a property of its vertices (PLY), or an array of its "
+      "points (VTP, VTK)")(
       "simplify",
       po::value(&simplify)->value_name("FRACTION|gap[:K]")->default_value(simplify),
       "cancel branches shorter than this fraction of the function's range, or those below the "
@@ -234,6 +266,10 @@ inline bool parse_options(int argc, char* argv[], Options& options)
           ->value_name("FRACTION")
           ->default_value(options.close_loops, "0"),
       "close loops lower than this fraction of the function's range")(
+      "threshold-absolute",
+      po::bool_switch(&options.threshold_is_absolute),
+      "both thresholds are differences of values, not fractions of the range: one value far away "
+      "from all others makes the range useless")(
       "leaves",
       po::value(&options.leaves)->value_name("N"),
       "cancel more branches until no more than N minima and maxima are left")(
@@ -243,6 +279,20 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "eigenpairs",
       po::value(&options.eigenpairs)->value_name("N")->default_value(options.eigenpairs),
       "how many eigenfunctions commute_time and other functions use")(
+      "residual-tolerance",
+      po::value(&options.residual_tolerance)
+          ->value_name("R")
+          ->default_value(options.residual_tolerance, "1e-8"),
+      "the largest relative residual of an eigenpair that is accepted")(
+      "strict",
+      po::bool_switch(&options.input.is_strict),
+      "refuse a mesh that would have to be repaired, or has parts that would be passed over")(
+      "split-nonmanifold-edges",
+      po::bool_switch(&options.input.repair.split_nonmanifold_edges),
+      "separate the faces at edges that have more than two")(
+      "weld",
+      po::value(&options.input.repair.weld_distance)->value_name("DISTANCE"),
+      "make vertices that are no farther apart one")(
       "small-time",
       po::value(&options.small_time)->value_name("T")->default_value(options.small_time, "1.5"),
       "the diffusion time at which commute_time finds the feature points")(
@@ -270,16 +320,23 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       given);
   po::notify(given);
   if (given.count("help")) {
-    std::cout << "Computes the Reeb graph of a triangle mesh.\n\n"
-                 "usage: reeb_graph [options] MESH\n\n"
-                 "MESH is an OFF, OBJ, PLY or STL file.\n\n"
-              << visible;
+    std::cout
+        << "Computes the Reeb graph of a triangle mesh.\n\n"
+           "usage: reeb_graph [options] MESH\n\n"
+           "MESH is a file in one of the formats "
+        << readable_formats()
+        << ".\nIts faces may be any polygons. What keeps it from being an oriented 2-manifold is "
+           "repaired\nwhere that can be done without guessing, and said on standard error.\n\n"
+        << visible
+        << "\nExit status: 0 if all is done, 1 if a file cannot be read or written or its mesh "
+           "has no\nReeb graph, 2 if the options are wrong, 3 if numbers or memory do not "
+           "suffice.\n";
     return false;
   }
   if (options.mesh_file.empty())
-    throw std::runtime_error("no mesh is given; see --help");
+    throw Usage_error("no mesh is given; see --help");
   if (report != "text" && report != "json")
-    throw std::runtime_error("--report: '" + report + "' is neither text nor json");
+    throw Usage_error("--report: '" + report + "' is neither text nor json");
   options.json = report == "json";
   options.axis = parse_axis(axis);
   const auto is_given = [&](const std::string& option) {
@@ -293,6 +350,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
     options.maxima = parse_vertices("--maxima", maxima);
   parse_simplify(simplify, options);
   check_options(options);
+  check_other_options(options, is_given);
   check_function_options(options, is_given);
   return true;
 }

@@ -3,6 +3,9 @@
 
 #include "types.h"
 
+#include "../mesh_input/text.h"
+#include "../mesh_input/weld_points.h"
+
 #include <CGAL/Polygon_mesh_processing/border.h>
 
 #include <boost/io/ios_state.hpp>
@@ -10,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <locale>
 #include <ostream>
@@ -75,6 +78,10 @@ inline void print_json(std::ostream& out, const Result& result)
   for (vertex_descriptor v : result.feature_points)
     report["feature_points"].push_back(static_cast<std::size_t>(v));
   report["eigenvalues"] = result.eigenvalues;
+  report["repairs"] = nlohmann::ordered_json::array();
+  for (const Repair& repair : result.input.repairs)
+    report["repairs"].push_back(
+        {{"kind", repair.kind}, {"number", repair.number}, {"text", repair.text}});
   report["seconds"] = {{"read", result.seconds.read},
                        {"eigenbasis", result.seconds.eigenbasis},
                        {"function", result.seconds.function},
@@ -84,17 +91,56 @@ inline void print_json(std::ostream& out, const Result& result)
   out << report.dump(2) << '\n';
 }
 
-// "1 arc", "2 arcs"
-inline std::string counted(std::size_t number, const std::string& what)
+// Where the vertices are, but for those that repairs have duplicated: they are in the same place on
+// purpose, and the last ones.
+inline std::vector<std::array<double, 3>> points_of(const Result& result)
 {
-  return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
+  std::vector<std::array<double, 3>> points;
+  const std::vector<std::size_t>& origin = result.input.point_of_vertex;
+  for (vertex_descriptor v : result.mesh.vertices()) {
+    if (!points.empty() && !origin.empty() && origin[v] <= origin[points.size() - 1])
+      break;
+    const Kernel::Point_3& p = result.mesh.point(v);
+    points.push_back({p.x(), p.y(), p.z()});
+  }
+  return points;
 }
 
-inline std::size_t number_of_points(const Mesh& mesh)
+inline std::size_t
+number_of_places(const std::vector<std::array<double, 3>>& points, double distance)
 {
-  std::vector<Kernel::Point_3> points(mesh.points().begin(), mesh.points().end());
-  std::sort(points.begin(), points.end());
-  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+  const std::vector<std::size_t> first = coinciding_points(points, distance);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    number += first[i] == i;
+  return number;
+}
+
+// Says that vertices at the same place, or so close that most of the border comes from it, are not
+// the same.
+inline void print_hint_on_places(std::ostream& out, const Result& result)
+{
+  const std::vector<std::array<double, 3>> points = points_of(result);
+  const std::size_t places = number_of_places(points, 0);
+  if (places < points.size()) {
+    out << "Note: the vertices lie at " << places
+        << " different points only; faces are neighbors only if they share vertices "
+           "(--weld 0 makes those at the same point one)\n";
+    return;
+  }
+  constexpr double closest = 1e-6;
+  const double distance = closest * diagonal_of_box(points);
+  std::vector<std::array<double, 3>> at_border;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const vertex_descriptor v(static_cast<vertex_descriptor::size_type>(i));
+    if (!result.mesh.is_isolated(v) && result.mesh.is_border(v))
+      at_border.push_back(points[i]);
+  }
+  const std::size_t places_at_border = number_of_places(at_border, distance);
+  if (at_border.size() - places_at_border >= at_border.size() / 3 + 1)
+    out << "Note: the " << at_border.size() << " vertices at the border lie at " << places_at_border
+        << " places only if those closer than " << distance << " are the same (--weld " << distance
+        << " makes them one)\n";
 }
 
 inline void print_text(std::ostream& out, const Options& options, const Result& result)
@@ -102,14 +148,11 @@ inline void print_text(std::ostream& out, const Options& options, const Result& 
   const boost::io::ios_locale_saver locale(out, std::locale::classic());
   const Node_counts counts = count_nodes(result.graph);
   const std::size_t vertices = result.mesh.number_of_vertices();
-  const std::size_t points = number_of_points(result.mesh);
   out << options.mesh_file << ": " << vertices << (vertices == 1 ? " vertex" : " vertices") << ", "
       << counted(result.mesh.number_of_faces(), "face") << ", "
       << counted(result.number_of_components, "component") << ", "
       << counted(CGAL::Polygon_mesh_processing::number_of_borders(result.mesh), "border") << '\n';
-  if (points < vertices)
-    out << "Note: the vertices lie at " << points
-        << " different points only; faces are neighbors only if they share vertices\n";
+  print_hint_on_places(out, result);
   out << "Reeb graph: " << counted(num_vertices(result.graph), "node") << ", "
       << counted(num_edges(result.graph), "arc") << ", " << counted(number_of_loops(result), "loop")
       << '\n';

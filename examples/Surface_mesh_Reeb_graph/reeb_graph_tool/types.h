@@ -5,10 +5,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 
+#include "../mesh_input/errors.h"
+#include "../mesh_input/prepare_polygon_soup.h"
+
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,18 +23,20 @@ using Value_map = Mesh::Property_map<vertex_descriptor, double>;
 using Arc_map = Mesh::Property_map<vertex_descriptor, int>;
 using Graph = SMRG::Reeb_graph<Mesh>;
 
-// Something is wrong with a file.
-struct File_error : std::runtime_error
-{
-  File_error(const std::string& file, const std::string& what)
-    : std::runtime_error(file + ": " + what)
-  {}
+// The exit statuses of the tool.
+enum Exit_status {
+  DONE = 0,
+  BAD_INPUT = 1,   // a file, or what is in it; files that cannot be written, too
+  BAD_USAGE = 2,   // options
+  NOT_COMPUTED = 3 // nothing is wrong with the input, but numbers or memory do not suffice
 };
 
 struct Options
 {
   std::string mesh_file;
-  std::string values_file; // empty: the function is computed
+  Mesh_input_options input;
+  std::string values_file;     // or the name of a property of VTK's; empty: see below
+  std::string values_property; // empty, too: the function is computed
   std::string function = "commute_time";
   std::array<double, 3> axis = {0, 0, 1};
   int index = 1;
@@ -44,19 +48,24 @@ struct Options
   int gap =
       0; // if it is positive, the branches below this gap of the diagram, instead of a fraction
   double close_loops = 0;
+  bool threshold_is_absolute = false;
   int leaves = (std::numeric_limits<int>::max)();
   int eigenpairs = 50;
+  double residual_tolerance = 1e-8;
   double small_time = 1.5;
   double large_time = 20;
   std::string output;  // empty: no files are written
   std::string diagram; // empty: it is not written
   bool json = false;
+
+  bool has_values() const { return !values_file.empty() || !values_property.empty(); }
 };
 
 // What the tool finds out.
 struct Result
 {
   Mesh mesh;
+  Mesh_input input;
   std::size_t number_of_components = 0;
   Value_map values;
   Arc_map arcs;

@@ -227,11 +227,13 @@ void compute_Reeb_graph(const TriangleMesh& tmesh,
                                 list.arc_of_vertex,
                                 internal::get_own_parameter(np, internal::tags::vertex_arc_map));
   if constexpr (has_face_arc_map)
-    internal::write_face_arcs(list,
-                              tmesh,
-                              vertex_index_map,
-                              order,
-                              internal::get_own_parameter(np, internal::tags::face_arc_map));
+    internal::check_mesh_on_internal_error(tmesh, vertex_index_map, [&]() {
+      internal::write_face_arcs(list,
+                                tmesh,
+                                vertex_index_map,
+                                order,
+                                internal::get_own_parameter(np, internal::tags::face_arc_map));
+    });
 }
 
 } // namespace Surface_mesh_Reeb_graph

@@ -76,7 +76,9 @@ public:
     if (pass_vertices(sorted) !=
         static_cast<std::size_t>(std::distance(range.begin(), range.end())))
       throw_internal_error("the circulations around the vertices miss edges");
-    CGAL_assertion(m_result.are_arcs_upward()); // all of them have come to an end
+    // in a halfedge structure that is not valid, an arc may not have come to its end
+    if (!m_result.are_arcs_upward())
+      throw_internal_error("an arc does not end in a higher node");
     if (m_request.has_vertex_arcs)
       m_result.set_arcs_of_nodes(m_vertex_index_map);
     return std::move(m_result);
@@ -110,9 +112,10 @@ private:
   // The element that the edge has in the sequence of its component while it is crossed.
   std::uint32_t& element(halfedge_descriptor h) { return m_element[m_edge_numbers(h)]; }
 
+  // An edge ends at one vertex only: a second one finds no element.
   std::uint32_t element_of_lower_edge(halfedge_descriptor h)
   {
-    const std::uint32_t result = element(h);
+    const std::uint32_t result = std::exchange(element(h), Rising_level_set::no_element);
     if (result == Rising_level_set::no_element)
       throw_internal_error("the level set has come past an edge without its lower end");
     return result;
@@ -185,7 +188,9 @@ private:
     run.size = wedge.end - wedge.begin;
     if (!wedge.is_upper) {
       run.first = element_of_lower_edge(star.halfedges[wedge.begin]);
-      run.last = element_of_lower_edge(star.halfedges[wedge.end - 1]);
+      run.last = wedge.end - wedge.begin == 1
+                     ? run.first
+                     : element_of_lower_edge(star.halfedges[wedge.end - 1]);
     }
     return run;
   }

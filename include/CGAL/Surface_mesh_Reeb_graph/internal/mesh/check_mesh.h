@@ -56,9 +56,28 @@ void check_halfedges(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
       throw_at_vertex("the halfedge data structure of the mesh is not valid",
                       target(h, tmesh),
                       vertex_index_map);
+  for (const auto f : CGAL::make_range(faces(tmesh)))
+    if (face(halfedge(f, tmesh), tmesh) != f)
+      throw_at_vertex("the halfedge of a face belongs to another one",
+                      target(halfedge(f, tmesh), tmesh),
+                      vertex_index_map);
   for (const auto v : CGAL::make_range(vertices(tmesh)))
     if (!has_no_edge(v, tmesh) && target(halfedge(v, tmesh), tmesh) != v)
       throw_at_vertex("the halfedge of a vertex does not point to it", v, vertex_index_map);
+}
+
+// Whether each triangle has three halfedges: a halfedge that no face refers to leaves others out.
+template <class TriangleMesh, class VertexIndexMap>
+void check_faces(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
+{
+  for (const auto h : CGAL::make_range(halfedges(tmesh))) {
+    if (is_border(h, tmesh))
+      continue;
+    const auto first = halfedge(face(h, tmesh), tmesh);
+    if (h != first && h != next(first, tmesh) && h != prev(first, tmesh))
+      throw_at_vertex(
+          "a face has more halfedges than a triangle", target(h, tmesh), vertex_index_map);
+  }
 }
 
 // A circulation around a vertex sees all open fans of faces, but only one closed fan: there are
@@ -83,6 +102,7 @@ template <class TriangleMesh, class VertexIndexMap>
 CGAL_REEB_GRAPH_COLD void check_mesh(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map)
 {
   check_halfedges(tmesh, vertex_index_map);
+  check_faces(tmesh, vertex_index_map);
   check_fans(tmesh, vertex_index_map);
 }
 

@@ -1,0 +1,119 @@
+#include "weld_points.h"
+
+#include "Disjoint_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace {
+
+using Point = std::array<double, 3>;
+using Cell = std::array<double, 3>; // whole numbers, which may be too large for integers
+
+struct Cell_hash
+{
+  std::size_t operator()(const Cell& cell) const
+  {
+    std::uint64_t hash = 0;
+    for (const double coordinate : cell) {
+      std::uint64_t bits;
+      std::memcpy(&bits, &coordinate, 8);
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+  }
+};
+
+double distance_of(const Point& p, const Point& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+// The numbers of the points without those that are equal to others; the sets know where those are.
+std::vector<std::size_t> unite_equal_points(const std::vector<Point>& points, Disjoint_sets& sets)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return points[i] != points[j] ? points[i] < points[j] : i < j;
+  });
+  std::vector<std::size_t> different;
+  for (const std::size_t i : order) {
+    if (!different.empty() && points[different.back()] == points[i])
+      sets.unite(different.back(), i);
+    else
+      different.push_back(i);
+  }
+  return different;
+}
+
+} // namespace
+
+std::vector<std::size_t> coinciding_points(const std::vector<Point>& points, double distance)
+{
+  Disjoint_sets sets(points.size());
+  const std::vector<std::size_t> different = unite_equal_points(points, sets);
+  if (distance > 0) {
+    // Two points that are so close are in the same cell or in adjacent ones.
+    std::unordered_map<Cell, std::vector<std::size_t>, Cell_hash> cells(different.size());
+    const auto cell_of = [&](const Point& p) {
+      return Cell{std::floor(p[0] / distance) + 0.,
+                  std::floor(p[1] / distance) + 0.,
+                  std::floor(p[2] / distance) + 0.};
+    };
+    for (const std::size_t i : different) {
+      const Cell cell = cell_of(points[i]);
+      for (int step = 0; step < 27; ++step) {
+        const auto neighbor = cells.find(
+            {cell[0] + step % 3 - 1, cell[1] + step / 3 % 3 - 1, cell[2] + step / 9 - 1});
+        if (neighbor == cells.end())
+          continue;
+        for (const std::size_t j : neighbor->second)
+          if (distance_of(points[i], points[j]) <= distance)
+            sets.unite(i, j);
+      }
+      cells[cell].push_back(i);
+    }
+  }
+  std::vector<std::size_t> representative(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    representative[i] = sets.find(i);
+  return representative;
+}
+
+std::vector<std::size_t> weld_points(Polygon_soup& soup, double distance)
+{
+  const std::vector<std::size_t> representative = coinciding_points(soup.points, distance);
+  std::vector<std::size_t> kept, number(soup.points.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    if (representative[i] != i)
+      continue;
+    number[i] = kept.size();
+    soup.points[kept.size()] = soup.points[i];
+    kept.push_back(i);
+  }
+  soup.points.resize(kept.size());
+  for (std::size_t& corner : soup.corners)
+    corner = number[representative[corner]];
+  return kept;
+}
+
+double diagonal_of_box(const std::vector<Point>& points)
+{
+  Point extent = {0, 0, 0};
+  for (std::size_t axis = 0; axis < 3 && !points.empty(); ++axis) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+          return p[axis] < q[axis];
+        });
+    extent[axis] = (*high)[axis] - (*low)[axis];
+  }
+  return std::hypot(extent[0], extent[1], extent[2]);
+}
