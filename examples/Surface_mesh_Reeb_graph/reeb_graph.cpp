@@ -101,7 +101,10 @@ int main_or_throw(int argc, char* argv[], Options& options)
   std::cout.flush();
   if (!std::cout)
     throw File_error("standard output", "could not be written");
-  return DONE;
+  for (const Component_failure& failure : result.failures)
+    std::cerr << "reeb_graph: " << options.mesh_file << ": " << failure.text()
+              << "; the function is not right there\n";
+  return result.failures.empty() ? DONE : NOT_COMPUTED;
 }
 
 int main(int argc, char* argv[])

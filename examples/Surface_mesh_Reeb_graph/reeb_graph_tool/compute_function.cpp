@@ -107,6 +107,19 @@ void write_smallest_distances(const std::vector<vertex_descriptor>& sources,
     values[v] = smallest[v] < infinity ? smallest[v] : largest;
 }
 
+// One component that cannot be computed must not take the others with it.
+void check_components(const Eigenbasis& basis, Result& result)
+{
+  bool is_any_complete = false;
+  for (std::size_t c = 0; c < basis.number_of_components(); ++c)
+    if (basis.failure(c).empty())
+      is_any_complete = is_any_complete || basis.number_of_eigenpairs(c) > 0;
+    else
+      result.failures.push_back({c, basis.component_vertices(c).size(), basis.failure(c)});
+  if (!is_any_complete && !result.failures.empty())
+    throw SMRG::Numerical_error(result.failures.front().text());
+}
+
 // What needs no eigenbasis, by names.
 using Function = std::function<void(const Options&, Result&)>;
 
@@ -235,8 +248,10 @@ void compute_function(const Options& options, Result& result, Progress& progress
     basis =
         std::make_unique<Eigenbasis>(result.mesh,
                                      SMRG::parameters::number_of_eigenpairs(number_of_eigenpairs)
-                                         .residual_tolerance(options.residual_tolerance));
+                                         .residual_tolerance(options.residual_tolerance)
+                                         .accept_converged_part(true));
   });
+  check_components(*basis, result);
   for (std::size_t c = 0; c < basis->number_of_components(); ++c) {
     result.eigenvalues.emplace_back();
     for (std::size_t k = 1; k <= basis->number_of_eigenpairs(c); ++k)

@@ -330,7 +330,7 @@ inline bool parse_options(int argc, char* argv[], Options& options)
         << visible
         << "\nExit status: 0 if all is done, 1 if a file cannot be read or written or its mesh "
            "has no\nReeb graph, 2 if the options are wrong, 3 if numbers or memory do not "
-           "suffice.\n";
+           "suffice,\nwhich may concern single components only: the others are computed then.\n";
     return false;
   }
   if (options.mesh_file.empty())

@@ -78,6 +78,11 @@ inline void print_json(std::ostream& out, const Result& result)
   for (vertex_descriptor v : result.feature_points)
     report["feature_points"].push_back(static_cast<std::size_t>(v));
   report["eigenvalues"] = result.eigenvalues;
+  report["failures"] = nlohmann::ordered_json::array();
+  for (const Component_failure& failure : result.failures)
+    report["failures"].push_back({{"component", failure.component},
+                                  {"vertices", failure.number_of_vertices},
+                                  {"text", failure.reason}});
   report["repairs"] = nlohmann::ordered_json::array();
   for (const Repair& repair : result.input.repairs)
     report["repairs"].push_back(

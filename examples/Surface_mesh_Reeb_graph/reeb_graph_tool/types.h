@@ -61,6 +61,19 @@ struct Options
   bool has_values() const { return !values_file.empty() || !values_property.empty(); }
 };
 
+// A component whose eigenbasis could not be computed as asked for.
+struct Component_failure
+{
+  std::size_t component, number_of_vertices;
+  std::string reason;
+
+  std::string text() const
+  {
+    return "component " + std::to_string(component) + " (" + std::to_string(number_of_vertices) +
+           " vertices): " + reason;
+  }
+};
+
 // What the tool finds out.
 struct Result
 {
@@ -73,6 +86,7 @@ struct Result
   std::string diagram; // of the graph before it is simplified
   std::vector<vertex_descriptor> feature_points;
   std::vector<std::vector<double>> eigenvalues; // by component
+  std::vector<Component_failure> failures;
   struct
   {
     double read = 0, eigenbasis = 0, function = 0, reeb_graph = 0, simplify = 0, write = 0;

@@ -169,10 +169,10 @@ public:
       \cgalParamDefault{`true`}
     \cgalParamNEnd
     \cgalParamNBegin{accept_converged_part}
-      \cgalParamDescription{whether a basis with fewer eigenpairs than asked for, possibly none, is accepted if the solver does not find all of them, or some have a residual above the tolerance}
+      \cgalParamDescription{whether a basis with fewer eigenpairs than asked for, possibly none, is accepted if the solver does not find all of them, some have a residual above the tolerance, or a matrix cannot be factored}
       \cgalParamType{Boolean}
       \cgalParamDefault{`false`: this is an error}
-      \cgalParamExtra{The eigenpairs are then those before the first one that fails. The basis may end inside a multiple eigenvalue.}
+      \cgalParamExtra{The eigenpairs of the component are then those before the first one that fails, and `failure()` says why; other components are not concerned. The basis may end inside a multiple eigenvalue.}
     \cgalParamNEnd
     \cgalParamNBegin{random_seed}
       \cgalParamDescription{the seed of the random vectors that the solver starts with; equal seeds give equal results on the same machine}
@@ -256,7 +256,9 @@ public:
       } catch (const Input_error& error) {
         throw Input_error(component_name(c) + error.what());
       } catch (const Numerical_error& error) {
-        throw Numerical_error(component_name(c) + error.what());
+        if (!accept_converged_part)
+          throw Numerical_error(component_name(c) + error.what());
+        m_bases[c].failure = error.what();
       }
       has_area = has_area || m_bases[c].area > 0;
       vertices_done += size;
@@ -305,6 +307,11 @@ public:
   {
     return static_cast<std::size_t>(basis(c).eigenvalues.size());
   }
+
+  /// returns why component `c` has fewer eigenpairs than it should have, if the basis was told to
+  /// `accept_converged_part`; empty if it has all.
+  /// \pre `c < number_of_components()`
+  const std::string& failure(std::size_t c) const { return basis(c).failure; }
 
   /// returns the `k`-th smallest non-zero eigenvalue of component `c`, from `k == 1` on.
   /// \pre `c < number_of_components() && 1 <= k && k <= number_of_eigenpairs(c)`
@@ -397,6 +404,7 @@ public:
   {
     double unit = 1; // the mean edge length; the rest is measured in it
     double area = 0;
+    std::string failure;         // why there are fewer eigenpairs than there should be
     Eigen::VectorXd mass;        // n
     Eigen::VectorXd eigenvalues; // k, without zero, increasing
     Eigen::Matrix<Eigenfunction_number, Eigen::Dynamic, Eigen::Dynamic> eigenfunctions; // n x k
@@ -433,25 +441,27 @@ private:
     internal::Laplace_Beltrami_matrices matrices = internal::assemble_Laplace_Beltrami_matrices(
         *m_tmesh, vertex_point_map, m_components, c, use_intrinsic_Delaunay);
     const Eigen::Index n = matrices.mass.size();
-    if (matrices.area > 0) {
-      const Eigen::Index wanted = static_cast<Eigen::Index>(
-          (std::min)(number_of_eigenpairs, static_cast<long long>(n) - 1));
-      Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
-      if (!pairs.have_converged && !accept_converged_part) {
-        std::ostringstream message;
-        message.imbue(std::locale::classic());
-        message << "the eigensolver did not converge: it found "
-                << (std::max)(pairs.values.size() - 1, Eigen::Index(0)) << " of " << wanted
-                << " eigenpairs";
+    basis.mass = matrices.mass;
+    basis.eigenfunctions.resize(n, 0);
+    if (!(matrices.area > 0))
+      return;
+    basis.unit = matrices.unit;
+    basis.area = matrices.area;
+    const Eigen::Index wanted =
+        static_cast<Eigen::Index>((std::min)(number_of_eigenpairs, static_cast<long long>(n) - 1));
+    Eigenpairs pairs = eigenpairs(matrices, wanted, options, extend_to_gap);
+    if (!pairs.have_converged) {
+      std::ostringstream message;
+      message.imbue(std::locale::classic());
+      message << "the eigensolver did not converge: it found "
+              << (std::max)(pairs.values.size() - 1, Eigen::Index(0)) << " of " << wanted
+              << " eigenpairs";
+      if (!accept_converged_part)
         throw Numerical_error(message.str());
-      }
-      take_pairs(
-          basis, matrices, std::move(pairs), options.residual_tolerance, accept_converged_part);
-      basis.unit = matrices.unit;
-      basis.area = matrices.area;
+      basis.failure = message.str();
     }
-    basis.mass = std::move(matrices.mass);
-    basis.eigenfunctions.conservativeResize(n, basis.eigenvalues.size());
+    take_pairs(
+        basis, matrices, std::move(pairs), options.residual_tolerance, accept_converged_part);
   }
 
   // The `wanted` smallest eigenpairs after the one of the constant function, which comes first.
@@ -510,15 +520,14 @@ private:
           (residuals.backward[i] <= internal::attainable_backward_error &&
            residuals.relative[i] <= std::sqrt(tolerance)))
         continue;
-      if (accept_converged_part) {
-        size = i;
-        break;
-      }
       std::ostringstream message;
       message.imbue(std::locale::classic());
       message << "eigenpair " << i << " has the relative residual " << residuals.relative[i]
               << ", which is more than the tolerance " << tolerance;
-      throw Numerical_error(message.str());
+      if (!accept_converged_part)
+        throw Numerical_error(message.str());
+      basis.failure = message.str();
+      size = i;
     }
     for (Eigen::Index i = 1; i < size; ++i) {
       m_residual = (std::max)(m_residual, residuals.relative[i]);
