@@ -28,7 +28,6 @@ class First_error : public vtkOutputWindow
 {
 public:
   static First_error* New();
-  vtkTypeMacro(First_error, vtkOutputWindow);
 
   void DisplayText(const char*) override {}
   void DisplayWarningText(const char*) override {}
