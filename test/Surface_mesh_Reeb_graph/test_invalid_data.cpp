@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/coordinate_functions.h>
 #include <CGAL/Surface_mesh_Reeb_graph/exceptions.h>
+#include <CGAL/Surface_mesh_Reeb_graph/spectral_functions.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
