@@ -104,17 +104,17 @@ expect_clean()
     expect "$name: a number of the function is not finite" \
       [ "$(grep -ciE 'nan|inf' "$work/result.values.txt")" -eq 0 ]
   else
-    expect "$name: status $status" [ "$status" -eq 1 ]
-    expect "$name: not one line of error" [ "$(wc -l < "$work/error")" -eq 1 ]
-    expect "$name: the error does not name the file" grep -qF "$name" "$work/error"
+    # 1: the file is bad, 3: numbers do not suffice; lines on repairs may stand before the error
+    expect "$name: status $status" [ $((status == 1 || status == 3)) -eq 1 ]
+    expect "$name: a line that does not name the file" [ "$(grep -cvF "reeb_graph: $name" "$work/error")" -eq 0 ]
+    expect "$name: no error" [ "$(wc -l < "$work/error")" -ge 1 ]
   fi
 }
 
-# Not readers/: crashes of the polygon splitting there are known, and other programs expect more of these files.
-# Not shrec07/ either: 198 models take too long here.
-for mesh in "$data"/*/*.off; do
+# Not shrec07/: 198 models take too long here.
+for mesh in "$data"/*/*.off "$data"/readers/*.{obj,ply,stl}; do
   case $mesh in
-    */readers/* | */shrec07/*) ;;
+    */shrec07/*) ;;
     *) expect_clean "$mesh" "$mesh" --simplify 0.05 ;;
   esac
 done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What is too long for every change: 50000 random cases in the tests of the Reeb graph, alone and
-# under the sanitizers, and an hour of fuzzing. Takes about three hours and prints what fails, and a last
+# under the sanitizers, and an hour of each fuzzer. Takes about five hours and prints what fails, and a last
 # line "N passed, N failed". FUZZING_SECONDS and REEB_GRAPH_TEST_CASES in the environment change that.
 set -euo pipefail
 
@@ -41,17 +41,17 @@ all_tests_with_sanitizers()
   configure sanitize && build sanitize && run_tests sanitize --timeout 36000
 )
 
-# What the fuzzer finds interesting is kept, and the next night goes on from there.
+# fuzz PROGRAM [OPTION]...: what the fuzzer finds interesting is kept, and the next night goes on from there.
 fuzz()
 (
-  local folder=$root/build/fuzzing
+  local folder=$root/build/fuzzing/$1
   mkdir -p "$folder/corpus" "$folder/failures"
   # In parallel it writes files to the current folder.
-  configure clang && build clang --target fuzz_compute_Reeb_graph && cd "$folder" &&
-    quietly "$root/build/clang/test/fuzz/fuzz_compute_Reeb_graph" \
-      -max_total_time="$fuzzing_seconds" -len_control=0 -max_len=400 -timeout=60 \
+  configure clang && build clang --target "$1" && cd "$folder" &&
+    quietly "$root/build/clang/test/fuzz/$1" \
+      -max_total_time="$fuzzing_seconds" -len_control=0 -timeout=60 \
       -jobs="$(number_of_jobs)" -workers="$(number_of_jobs)" \
-      -artifact_prefix="$folder/failures/" "$folder/corpus"
+      -artifact_prefix="$folder/failures/" "${@:2}"
 )
 
 start_log "$root/build/nightly.log"
@@ -69,7 +69,11 @@ if [ -d "$root/../shared/data" ]; then
   check "data (sanitizers)" "$root/test/check_data.sh" "$root/../shared/data" \
     "$root/build/sanitize/examples/Surface_mesh_Reeb_graph/reeb_graph"
 fi
-check "fuzzing" fuzz
+check "fuzzing" fuzz fuzz_compute_Reeb_graph -max_len=400 corpus
+for program in fuzz_mesh_readers fuzz_mesh_file_to_graph; do
+  check "fuzzing of mesh files ($program)" fuzz "$program" -max_len=2000 \
+    -dict="$root/test/fuzz/mesh_files.dict" corpus "$root/test/fuzz/mesh_files"
+done
 
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

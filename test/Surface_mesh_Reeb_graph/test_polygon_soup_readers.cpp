@@ -580,6 +580,44 @@ BOOST_AUTO_TEST_CASE(damaged_STL_files)
   check_error(".stl", not_finite, {"facet 1", "finite"});
 }
 
+// The cells of the old form and of version 5, as text and binary, and arrays that can be asked for.
+BOOST_AUTO_TEST_CASE(VTK_files)
+{
+  const std::string head = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n",
+                    text = head + "POINTS 4 float\n" + vertex_lines + "LINES 1 3\n2 0 1\n" +
+                           "POLYGONS 4 16\n" + face_lines + "METADATA\nINFORMATION 0\n\n" +
+                           "CELL_DATA 5\nSCALARS a int\nLOOKUP_TABLE default\n0 1 2 3 4\n" +
+                           "POINT_DATA 4\nNORMALS n float\n" + vertex_lines +
+                           "FIELD f 1\nb%20c 1 4 double\n0 0.5 1 nan\n";
+  check_tetrahedron(".vtk", text);
+  check_tetrahedron(".vtk", replaced(text, "\n", "\r\n"));
+  const Polygon_soup soup = parse_polygon_soup(replaced(text, "nan", "-3"), ".vtk", "b c");
+  BOOST_TEST(soup.property == (std::vector<double>{0, 0.5, 1, -3}),
+             boost::test_tools::per_element());
+  std::string binary = replaced(head, "ASCII", "BINARY") + "POINTS 4 double\n", connectivity;
+  for (const auto& p : points)
+    for (const double x : p)
+      binary += bytes_of(x, true);
+  binary += "\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n";
+  for (const std::int64_t offset : {0, 3, 6, 9, 12})
+    binary += bytes_of(offset, true);
+  for (const auto& face : faces)
+    for (const std::size_t v : face)
+      connectivity += bytes_of(static_cast<std::int64_t>(v), true);
+  binary += "\nCONNECTIVITY vtktypeint64\n" + connectivity + '\n';
+  check_tetrahedron(".vtk", binary);
+  for (std::size_t size = 1; size < binary.size() - 1; ++size)
+    if (size < binary.find("\nPOLYGONS") || size > binary.find("POLYGONS") + 7)
+      check_error(".vtk", binary.substr(0, size), {});
+  check_error(".vtk", replaced(text, "3 0 2 3", "3 0 2 7"), {"face 1", "vertex 7", "4,"});
+  check_error(".vtk", replaced(text, "3 0 2 3", "99 0 2 3"), {"polygon 1", "99 corners"});
+  check_error(".vtk", replaced(text, "POLYDATA", "STRUCTURED_GRID"), {"line 4", "POLYDATA"});
+  check_error(
+      ".vtk", replaced(text, "POINTS 4 ", "POINTS 4000000000 "), {"too short", "4000000000"});
+  check_error(
+      ".vtk", replaced(text, "POINT_DATA 4", "POINT_DATA 5"), {"POINT_DATA", "5", "4 points"});
+}
+
 // No part of a file, and no file with changed bytes, is more than an error.
 BOOST_AUTO_TEST_CASE(any_bytes)
 {

@@ -73,8 +73,10 @@ public:
   std::uint32_t arc(std::uint32_t element)
   {
     m_sequences.splay(element);
-    CGAL_assertion(m_sequences.number(element) < m_states.size());
-    return m_states[m_sequences.number(element)].arc;
+    const std::uint32_t number = m_sequences.number(element);
+    if (number >= m_states.size())
+      throw_internal_error("a part of the level set has no arc");
+    return m_states[number].arc;
   }
 
   // Lets the level rise past a vertex: cuts the lower runs out of their components and puts

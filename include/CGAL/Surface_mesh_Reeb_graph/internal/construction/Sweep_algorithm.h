@@ -187,10 +187,9 @@ private:
     run.is_linked = wedge.is_linked;
     run.size = wedge.end - wedge.begin;
     if (!wedge.is_upper) {
-      run.first = element_of_lower_edge(star.halfedges[wedge.begin]);
-      run.last = wedge.end - wedge.begin == 1
-                     ? run.first
-                     : element_of_lower_edge(star.halfedges[wedge.end - 1]);
+      run.first = run.last = element_of_lower_edge(star.halfedges[wedge.begin]);
+      for (std::size_t i = wedge.begin + 1; i < wedge.end; ++i)
+        run.last = element_of_lower_edge(star.halfedges[i]);
     }
     return run;
   }
