@@ -63,6 +63,7 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
                                        "feature_points",
                                        "seconds",
                                        "eigenvalues",
+                                       "failures",
                                        "repairs"};
   std::sort(expected.begin(), expected.end());
   BOOST_TEST(keys == expected, boost::test_tools::per_element());
@@ -642,4 +643,33 @@ BOOST_AUTO_TEST_CASE(distances_in_other_components_are_finite)
     for (std::size_t i = 42; i < 84; ++i)
       BOOST_TEST(v[i] == largest);
   }
+}
+
+// A tube that is so thin that its eigenbasis cannot be computed, beside a sphere.
+BOOST_AUTO_TEST_CASE(a_component_that_cannot_be_computed_is_marked)
+{
+  const Folder folder;
+  Index_mesh input = sphere(2);
+  const std::string alone = folder.write("sphere.off", input);
+  append(input, cylinder(100, 2, 1e9), 5);
+  const std::string mesh = folder.write("mesh.off", input);
+  const Run r = run(folder, "'" + mesh + "' --report json");
+  BOOST_TEST(WIFEXITED(r.status));
+  BOOST_TEST(WEXITSTATUS(r.status) == NOT_COMPUTED);
+  BOOST_TEST(count(r.error, "\n") == 1u);
+  BOOST_TEST(r.error.find("component 1 (300 vertices): ") != std::string::npos);
+  const nlohmann::json j = nlohmann::json::parse(r.out),
+                       expected = report(folder, "'" + alone + "'");
+  BOOST_REQUIRE(j["failures"].size() == 1u);
+  BOOST_TEST(j["failures"][0]["component"] == 1);
+  BOOST_TEST(j["eigenvalues"][0] == expected["eigenvalues"][0]);
+  BOOST_TEST(j["feature_points"] == expected["feature_points"]);
+  BOOST_TEST(expected["failures"].empty());
+
+  // nothing else is there
+  Index_mesh tube = cylinder(100, 2, 1e9);
+  check_error(folder,
+              "'" + folder.write("tube.off", tube) + "'",
+              {"tube.off", "component 0 (300 vertices)"},
+              NOT_COMPUTED);
 }

@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(errors)
   check("find meshes", "the command is");
   check("index", "which folder");
   check("index nowhere", "nowhere: cannot be read as a folder");
-  check("index meshes/..", "holds no OFF");
+  check("index meshes/..", "holds no file in one of the formats OFF");
   check("query meshes/ball0.off", "--signatures");
   check("query meshes/ball0.off --signatures meshes", "holds no signature");
   check("index meshes --function no", "there is no function 'no'");
