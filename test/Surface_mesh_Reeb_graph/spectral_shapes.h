@@ -349,11 +349,11 @@ inline std::vector<std::size_t> identity(const std::size_t n)
 constexpr double distance_tolerance = 1e-9;
 
 // No NaN, no negative or infinite number among eigenvalues, eigenfunctions and distances within a
-// component, and residuals within the tolerance, or its root where rounding alone explains them.
+// component, and residuals within the tolerance.
 template <class Shape_type>
-bool is_sound(const Shape_type& shape)
+bool is_sound(const Shape_type& shape, const double residual_tolerance = 1e-8)
 {
-  bool result = shape.basis.residual() <= 1e-4;
+  bool result = shape.basis.residual() <= residual_tolerance;
   for (std::size_t c = 0; c < shape.basis.number_of_components(); ++c) {
     const auto& vertices = shape.basis.component_vertices(c);
     const double area = shape.basis.area(c);

@@ -387,7 +387,7 @@ BOOST_FIXTURE_TEST_CASE(errors_leave_all_outputs_as_they_were, Fixture)
   BOOST_TEST(is_untouched());
   BOOST_TEST(fails(SMRG::parameters::number_of_eigenpairs(0)));
   BOOST_TEST(is_untouched());
-  BOOST_TEST(fails(SMRG::parameters::residual_tolerance(-1.)));
+  BOOST_TEST(fails(SMRG::parameters::residual_tolerance(0)));
   BOOST_TEST(is_untouched());
   shape.mesh.point(shape.vertices[11]) = Kernel::Point_3(0, nan, 0);
   BOOST_TEST(fails(SMRG::parameters::persistence_threshold(0.1)));

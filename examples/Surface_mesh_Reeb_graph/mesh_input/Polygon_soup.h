@@ -1,6 +1,8 @@
 #ifndef MESH_INPUT_POLYGON_SOUP_H
 #define MESH_INPUT_POLYGON_SOUP_H
 
+#include "errors.h"
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -28,5 +30,15 @@ struct Polygon_soup
   std::size_t size(std::size_t polygon) const { return first[polygon + 1] - first[polygon]; }
   void end_polygon() { first.push_back(corners.size()); }
 };
+
+// Throws a Content_error if a polygon names a point that is not there.
+inline void check_corners(const Polygon_soup& soup)
+{
+  for (std::size_t i = 0; i < soup.number_of_polygons(); ++i)
+    for (std::size_t k = soup.first[i]; k < soup.first[i + 1]; ++k)
+      if (soup.corners[k] >= soup.points.size())
+        throw Content_error(
+            no_such_vertex({"face", i}, std::to_string(soup.corners[k]), soup.points.size()));
+}
 
 #endif // MESH_INPUT_POLYGON_SOUP_H

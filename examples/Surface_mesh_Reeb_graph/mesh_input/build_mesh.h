@@ -10,9 +10,9 @@
 #include <vector>
 
 // Adds the points and the triangles of an oriented 2-manifold to an empty `CGAL::Surface_mesh`, the
-// vertices in the order of the points. At the border, several fans of faces may meet in a vertex. `CGAL::Euler::add_face()` would look for its place among all
-// faces around a vertex, which takes quadratic time around vertices of high degree; here, the edges are
-// known beforehand.
+// vertices in the order of the points. At the border, several fans of faces may meet in a vertex.
+// `CGAL::Euler::add_face()` would look for its place among all faces around a vertex, which takes
+// quadratic time around vertices of high degree; here, the edges are known beforehand.
 template <class Mesh>
 void build_mesh(const Polygon_soup& soup, Mesh& mesh)
 {

@@ -329,7 +329,7 @@ public:
     }
     if (!has_vertices)
       throw Content_error("the header has no element 'vertex'");
-    check_corners();
+    check_corners(m_soup);
     const std::string rest = m_numbers.rest();
     if (!rest.empty())
       m_soup.notices.push_back(rest);
@@ -512,15 +512,6 @@ private:
         ++length;
       }
     });
-  }
-
-  void check_corners() const
-  {
-    for (std::size_t i = 0; i < m_soup.number_of_polygons(); ++i)
-      for (std::size_t k = m_soup.first[i]; k < m_soup.first[i + 1]; ++k)
-        if (m_soup.corners[k] >= m_soup.points.size())
-          throw Content_error(
-              no_such_vertex({"face", i}, std::to_string(m_soup.corners[k]), m_soup.points.size()));
   }
 
   Numbers& m_numbers;

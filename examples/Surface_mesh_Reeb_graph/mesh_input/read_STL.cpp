@@ -2,40 +2,27 @@
 #include "readers.h"
 #include "text.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 namespace {
 
-struct Hash_of_point
-{
-  std::size_t operator()(const std::array<double, 3>& point) const
-  {
-    std::uint64_t hash = 0;
-    for (const double coordinate : point) {
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, 8);
-      hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
-
 // The corners of facets are points without numbers.
 class Facets
 {
+  using Point = std::array<double, 3>;
+
 public:
   explicit Facets(Polygon_soup& soup) : m_soup(soup) {}
 
-  void add_corner(std::array<double, 3> point)
+  void add_corner(Point point)
   {
     for (double& coordinate : point)
       coordinate += 0.; // of the two zeros, which are equal, the positive one
@@ -47,7 +34,7 @@ public:
 
 private:
   Polygon_soup& m_soup;
-  std::unordered_map<std::array<double, 3>, std::size_t, Hash_of_point> m_numbers;
+  std::unordered_map<Point, std::size_t, boost::hash<Point>> m_numbers;
 };
 
 class STL_text_reader

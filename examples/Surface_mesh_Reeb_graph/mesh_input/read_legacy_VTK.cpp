@@ -72,7 +72,7 @@ public:
       read_section(word);
     if (!m_has_points)
       m_lines.fail("the file ends without POINTS");
-    check_corners();
+    check_corners(m_soup);
   }
 
 private:
@@ -360,15 +360,6 @@ private:
       const std::size_t turn = k % 2;
       add_polygon({cell[k - 2 + turn], cell[k - 1 - turn], cell[k]});
     }
-  }
-
-  void check_corners() const
-  {
-    for (std::size_t i = 0; i < m_soup.number_of_polygons(); ++i)
-      for (std::size_t k = m_soup.first[i]; k < m_soup.first[i + 1]; ++k)
-        if (m_soup.corners[k] >= m_soup.points.size())
-          throw Content_error(
-              no_such_vertex({"face", i}, std::to_string(m_soup.corners[k]), m_soup.points.size()));
   }
 
   // ---- arrays ----

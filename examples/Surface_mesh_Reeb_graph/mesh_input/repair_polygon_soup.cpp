@@ -1,10 +1,11 @@
 #include "repair_polygon_soup.h"
 
-#include "Disjoint_sets.h"
 #include "Edge_uses.h"
 #include "errors.h"
 #include "text.h"
 #include "weld_points.h"
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -355,10 +356,10 @@ private:
   // at the border, of one vertex, are not separated.
   void separate_fans()
   {
-    Disjoint_sets fans(m_soup.corners.size());
+    boost::disjoint_sets_with_storage<> fans(m_soup.corners.size());
     for (std::size_t k = 0; k < m_soup.corners.size(); ++k)
       if (m_partner[k] != none)
-        fans.unite(next(k), m_partner[k]);
+        fans.union_set(next(k), m_partner[k]);
     std::vector<std::size_t> first_open_corner(m_soup.points.size(), none);
     for (std::size_t k = 0; k < m_soup.corners.size(); ++k)
       if (m_partner[k] == none)
@@ -368,14 +369,14 @@ private:
             continue;
           if (first_open_corner[vertex] == none)
             first_open_corner[vertex] = corner;
-          fans.unite(first_open_corner[vertex], corner);
+          fans.union_set(first_open_corner[vertex], corner);
         }
 
     std::vector<std::size_t> vertex_of_fan(m_soup.corners.size(), none);
     std::vector<std::size_t> number_of_fans(m_soup.points.size(), 0);
     for (std::size_t k = 0; k < m_soup.corners.size(); ++k) {
       std::size_t& corner = m_soup.corners[k];
-      std::size_t& vertex = vertex_of_fan[fans.find(k)];
+      std::size_t& vertex = vertex_of_fan[fans.find_set(k)];
       if (vertex == none) {
         vertex = corner;
         if (number_of_fans[corner]++ > 0) {

@@ -1,11 +1,13 @@
 #include "weld_points.h"
 
-#include "Disjoint_sets.h"
+#include <boost/functional/hash.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -14,22 +16,8 @@
 namespace {
 
 using Point = std::array<double, 3>;
+using Disjoint_sets = boost::disjoint_sets_with_storage<>;
 using Cell = std::array<double, 3>; // whole numbers, which may be too large for integers
-
-struct Cell_hash
-{
-  std::size_t operator()(const Cell& cell) const
-  {
-    std::uint64_t hash = 0;
-    for (const double coordinate : cell) {
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, 8);
-      hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-  }
-};
 
 double distance_of(const Point& p, const Point& q)
 {
@@ -47,7 +35,7 @@ std::vector<std::size_t> unite_equal_points(const std::vector<Point>& points, Di
   std::vector<std::size_t> different;
   for (const std::size_t i : order) {
     if (!different.empty() && points[different.back()] == points[i])
-      sets.unite(different.back(), i);
+      sets.union_set(different.back(), i);
     else
       different.push_back(i);
   }
@@ -62,7 +50,7 @@ std::vector<std::size_t> coinciding_points(const std::vector<Point>& points, dou
   const std::vector<std::size_t> different = unite_equal_points(points, sets);
   if (distance > 0) {
     // Two points that are so close are in the same cell or in adjacent ones.
-    std::unordered_map<Cell, std::vector<std::size_t>, Cell_hash> cells(different.size());
+    std::unordered_map<Cell, std::vector<std::size_t>, boost::hash<Cell>> cells(different.size());
     const auto cell_of = [&](const Point& p) {
       return Cell{std::floor(p[0] / distance) + 0.,
                   std::floor(p[1] / distance) + 0.,
@@ -77,14 +65,17 @@ std::vector<std::size_t> coinciding_points(const std::vector<Point>& points, dou
           continue;
         for (const std::size_t j : neighbor->second)
           if (distance_of(points[i], points[j]) <= distance)
-            sets.unite(i, j);
+            sets.union_set(i, j);
       }
       cells[cell].push_back(i);
     }
   }
+  // the first point of every set represents it
+  sets.normalize_sets(boost::counting_iterator<std::size_t>(0),
+                      boost::counting_iterator<std::size_t>(points.size()));
   std::vector<std::size_t> representative(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    representative[i] = sets.find(i);
+    representative[i] = sets.find_set(i);
   return representative;
 }
 

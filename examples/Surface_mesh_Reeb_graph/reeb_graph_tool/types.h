@@ -45,8 +45,7 @@ struct Options
   std::string features_file;                        // empty: feature points are computed
   bool unfold = false;
   double simplify = 0;
-  int gap =
-      0; // if it is positive, the branches below this gap of the diagram, instead of a fraction
+  int gap = 0; // positive: the branches below this gap of the diagram, instead of a fraction
   double close_loops = 0;
   bool threshold_is_absolute = false;
   int leaves = (std::numeric_limits<int>::max)();

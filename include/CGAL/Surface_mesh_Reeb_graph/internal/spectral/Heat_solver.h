@@ -12,6 +12,8 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/Supernodal_Cholesky.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -29,15 +31,17 @@ namespace internal {
 // where the numbers do. Heat falls by about 1/e with every edge, so that some 700 edges away from the
 // source it is less than the smallest double. Where that happens, the logarithm of the heat is
 // returned instead, plus a constant that makes it positive: the method looks only at the directions of
-// the gradients, which are the same.
+// the gradients, which are those of the heat but for what the faces do not resolve.
 class Heat_solver
 {
 public:
   using Scalar = double;
   using MatrixType = Eigen::SparseMatrix<double>;
 
+  // \pre `a` is symmetric
   Heat_solver& compute(const MatrixType& a)
   {
+    CGAL_precondition(a.rows() == a.cols());
     m_matrix = a; // what is given is gone when it is solved
     m_factor.compute(a);
     return *this;
@@ -48,6 +52,7 @@ public:
   template <class RightHandSide>
   Eigen::VectorXd solve(const RightHandSide& right_hand_side) const
   {
+    CGAL_precondition(right_hand_side.rows() == m_matrix.rows());
     const Eigen::VectorXd b = right_hand_side;
     const Eigen::VectorXd x = m_factor.solve(b);
     // only heat has sources without sinks
