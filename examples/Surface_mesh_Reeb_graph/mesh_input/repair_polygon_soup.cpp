@@ -5,11 +5,11 @@
 #include "text.h"
 #include "weld_points.h"
 
+#include <boost/functional/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
 #include <string>
 #include <unordered_set>
@@ -60,12 +60,8 @@ struct Polygon_hash
 
   std::size_t operator()(std::size_t polygon) const
   {
-    std::uint64_t hash = 0;
-    for (const std::size_t corner : canonical(polygon)) {
-      hash = (hash ^ corner) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
+    const std::vector<std::size_t> corners = canonical(polygon);
+    return boost::hash_range(corners.begin(), corners.end());
   }
 
   bool operator()(std::size_t a, std::size_t b) const { return canonical(a) == canonical(b); }
@@ -86,9 +82,10 @@ public:
   {
     weld();
     leave_out_repeated_corners();
-    drop_repeated_faces(false);
-    if (has_nonmanifold_edge())
+    if (has_crowded_side()) { // all sides of a repeated face are
+      drop_repeated_faces(false);
       drop_repeated_faces(true);
+    }
     match_sides();
     turn_faces();
     separate_fans();
@@ -176,6 +173,8 @@ private:
     std::unordered_set<std::size_t, Polygon_hash, Polygon_hash> seen(
         m_soup.number_of_polygons() + 1, hash, hash);
     const std::vector<char> is_crowded = ignores_order ? crowded_polygons() : std::vector<char>();
+    if (ignores_order && std::find(is_crowded.begin(), is_crowded.end(), 1) == is_crowded.end())
+      return;
     Polygon_soup result;
     std::vector<std::size_t> faces, dropped;
     for (std::size_t i = 0; i < m_soup.number_of_polygons(); ++i) {
@@ -215,10 +214,15 @@ private:
     return result;
   }
 
-  bool has_nonmanifold_edge() const
+  // Whether two sides run along an edge in the same direction.
+  bool has_crowded_side() const
   {
     bool result = false;
-    Edge_uses(m_soup).for_each_edge([&](auto begin, auto end) { result |= end - begin > 2; });
+    const Edge_uses edges(m_soup);
+    edges.for_each_edge([&](auto begin, auto end) {
+      result |= end - begin > 2 || (end - begin == 2 &&
+                                    edges.runs_upwards(*begin) == edges.runs_upwards(*(begin + 1)));
+    });
     return result;
   }
 

@@ -3,10 +3,11 @@
 #include "Edge_uses.h"
 #include "errors.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -31,16 +32,6 @@ double scalar_product(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-struct Hash_of_edge
-{
-  std::size_t operator()(const std::pair<std::size_t, std::size_t>& edge) const
-  {
-    std::uint64_t hash = edge.first * 0x9E3779B97F4A7C15u;
-    hash = (hash ^ hash >> 32 ^ edge.second) * 0x9E3779B97F4A7C15u;
-    return static_cast<std::size_t>(hash ^ hash >> 32);
-  }
-};
-
 // The edges of the polygons, and the diagonals so far.
 class Taken_edges
 {
@@ -56,7 +47,8 @@ public:
 
 private:
   Edge_uses m_edges;
-  std::unordered_set<std::pair<std::size_t, std::size_t>, Hash_of_edge> m_diagonals;
+  using Edge = std::pair<std::size_t, std::size_t>;
+  std::unordered_set<Edge, boost::hash<Edge>> m_diagonals;
 };
 
 // Splits one polygon after the other. Corners are numbered from 0 on in each of them.
