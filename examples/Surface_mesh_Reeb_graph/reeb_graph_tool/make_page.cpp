@@ -330,7 +330,7 @@ private:
     const std::vector<double>& persistences = hierarchy.persistences();
     const std::size_t first_level = hierarchy.level(threshold());
     // a bound for the time that the levels take
-    constexpr std::size_t work = 20000000, fewest = 20, most = 500;
+    constexpr std::size_t work = 8000000, fewest = 10, most = 500;
     const std::size_t limit =
         std::clamp(work / (groups.vertices.size() + m_page.nodes.size() + 1), fewest, most);
     std::set<std::size_t> levels = levels_to_show(hierarchy.number_of_levels(), limit);

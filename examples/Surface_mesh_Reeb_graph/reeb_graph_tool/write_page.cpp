@@ -249,7 +249,7 @@ std::string encoded(const std::string& bytes)
                 &size,
                 reinterpret_cast<const Bytef*>(bytes.data()),
                 static_cast<uLong>(bytes.size()),
-                Z_BEST_COMPRESSION) != Z_OK)
+                Z_DEFAULT_COMPRESSION) != Z_OK)
     throw std::runtime_error("zlib cannot compress the data of the page");
   result.resize(size);
   return result;

@@ -76,6 +76,10 @@ export class Leveled_graph {
     return type_of_node(down.length, up.length);
   }
 
+  number_of_points(arc) {
+    return this.data.arc_sizes[arc] + 2;
+  }
+
   // All points of an arc, its ends included.
   polyline(arc) {
     const { arc_lowers, arc_uppers, node_places, arc_points } = this.data;

@@ -116,6 +116,10 @@ export class Page {
       : `${format(lower)} to ${format(upper)}${unit}`;
   }
 
+  level_text() {
+    return `level ${this.data.stop_levels[this.graph.stop]} of ${this.data.header.number_of_levels - 1}`;
+  }
+
   counts_text() {
     const { nodes, arcs } = this.graph;
     const components = this.data.pair_kinds.filter((kind) => pair_kinds[kind] === "component").length;
@@ -124,7 +128,6 @@ export class Page {
       count(nodes.length, "node"),
       count(arcs.length, "arc"),
       count(loops, "loop"),
-      `level ${this.data.stop_levels[this.graph.stop]} of ${this.data.header.number_of_levels - 1}`,
     ].join(", ");
   }
 
@@ -191,6 +194,7 @@ export class Page {
     by_id("stop").value = this.graph.stop;
     by_id("threshold").textContent = this.threshold_text();
     by_id("counts").textContent = this.counts_text();
+    by_id("level").textContent = this.level_text();
     by_id("stop").setAttribute("aria-valuetext", `${this.threshold_text()}: ${this.counts_text()}`);
     this.diagram.set_threshold(this.graph, this.difference_of_threshold());
     this.view.show_graph(this.graph, ...this.emphasized());

@@ -5,6 +5,7 @@ import {
   BufferGeometry,
   Color,
   DataTexture,
+  Matrix4,
   Mesh,
   PerspectiveCamera,
   Points,
@@ -81,7 +82,8 @@ const node_shader = {
   fragmentShader: `
     varying vec3 v_color;
     varying float v_shape, v_size;
-    uniform vec3 outline;
+    uniform vec3 outline, picked;
+    uniform float picked_size;
     // the distance from the outline of a shape, negative inside, in a square from -1 to 1
     float distance_from(vec2 p) {
       if (v_shape < 0.5) return max(-p.y - 0.75, abs(p.x) * 0.87 + p.y * 0.5 - 0.42); // up
@@ -95,7 +97,10 @@ const node_shader = {
       p.y = -p.y;
       float d = distance_from(p), pixel = 2.0 / v_size;
       if (d > 0.5 * pixel) discard;
-      vec3 color = mix(v_color, outline, smoothstep(-1.8 * pixel, -0.8 * pixel, d));
+      bool is_picked = v_size > picked_size - 0.5;
+      float width = is_picked ? 3.8 : 1.8;
+      vec3 rim = is_picked ? picked : outline;
+      vec3 color = mix(v_color, rim, smoothstep(-width * pixel, (1.0 - width) * pixel, d));
       gl_FragColor = vec4(color, 1.0);
     }`,
 };
@@ -104,6 +109,8 @@ const node_shader = {
 const node_shapes = { maximum: 0, minimum: 1, split: 2, merge: 3, isolated: 4, degenerate: 4 };
 
 const sizes = { node: 19, picked_node: 30, arc: 3.5, picked_arc: 8, curve: 2.5 }; // pixels
+const smallest_sizes = { node: 4, arc: 1 }; // where there are very many
+const many_nodes = 150;
 const reach = { node: 12, arc: 7 }; // how near a pointer must come, in pixels
 
 export class View {
@@ -111,7 +118,7 @@ export class View {
     this.data = data;
     this.surface = surface;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.camera = new PerspectiveCamera(field_of_view, 1, 0.01, 100);
+    this.camera = new PerspectiveCamera(field_of_view, 1, 0.05, 100);
     this.controls = new TrackballControls(this.camera, canvas);
     this.controls.staticMoving = true;
     this.controls.rotateSpeed = 2.5;
@@ -171,12 +178,23 @@ export class View {
     this.arc_lines = lines(sizes.arc);
     this.picked_lines = lines(sizes.picked_arc);
     this.curve_lines = lines(sizes.curve);
-    this.curve_lines.renderOrder = 3;
-    this.curve_lines.material.transparent = true; // drawn after the surface
+    // These are drawn after the surface, and what is picked shines through everything.
+    for (const [i, line] of [this.curve_lines, this.picked_lines].entries()) {
+      line.renderOrder = 3 + i;
+      line.material.transparent = true;
+    }
+    this.picked_lines.material.depthTest = false;
+    // in front of the surface that it lies on
     this.curve_lines.material.polygonOffset = true;
+    this.curve_lines.material.polygonOffsetUnits = -200;
     this.node_material = new ShaderMaterial({
       ...node_shader,
-      uniforms: { pixel_ratio: { value: 1 }, outline: { value: new Vector3() } },
+      uniforms: {
+        pixel_ratio: { value: 1 },
+        picked_size: { value: sizes.picked_node },
+        outline: { value: null },
+        picked: { value: null },
+      },
     });
     this.node_points = new Points(new BufferGeometry(), this.node_material);
     this.node_points.frustumCulled = false;
@@ -208,25 +226,26 @@ export class View {
     this.arc_lines.material.color.set(line);
     this.picked_lines.material.color.set(picked);
     this.curve_lines.material.color.set(curve);
-    const color = new Color().setStyle(outline, "");
-    this.node_material.uniforms.outline.value.set(color.r, color.g, color.b);
+    this.node_material.uniforms.outline.value = color_of_screen(outline);
+    this.node_material.uniforms.picked.value = color_of_screen(picked);
     this.request_frame();
   }
 
   // Draws a graph, with some nodes and arcs emphasized.
   show_graph(graph, emphasized_nodes, emphasized_arcs) {
     this.graph = graph;
-    this.set_segments(this.arc_lines, graph.arcs.flatMap((a) => segments(graph.polyline(a))));
     const { nodes } = graph;
+    const crowding = Math.min(Math.sqrt(many_nodes / nodes.length), 1);
+    const size = (kind) => Math.max(sizes[kind] * crowding, smallest_sizes[kind]);
+    this.node_size = size("node");
+    this.arc_lines.material.linewidth = size("arc");
+    this.set_arcs(graph);
     const places = new Float32Array(3 * nodes.length);
     const colors = new Float32Array(3 * nodes.length);
     const shapes = new Float32Array(nodes.length);
     this.node_sizes = new BufferAttribute(new Float32Array(nodes.length), 1);
     const color_of_type = Object.fromEntries(
-      node_types.map((type) => {
-        const { r, g, b } = new Color().setStyle(node_colors[type], "");
-        return [type, [r, g, b]];
-      }),
+      node_types.map((type) => [type, color_of_screen(node_colors[type]).toArray()]),
     );
     nodes.forEach((node, i) => {
       const type = graph.type(node);
@@ -234,6 +253,7 @@ export class View {
       colors.set(color_of_type[type], 3 * i);
       shapes[i] = node_shapes[type];
     });
+    this.shown_places = places;
     this.node_points.geometry.dispose();
     this.node_points.geometry = new BufferGeometry()
       .setAttribute("position", new BufferAttribute(places, 3))
@@ -243,9 +263,28 @@ export class View {
     this.emphasize(emphasized_nodes, emphasized_arcs);
   }
 
+  set_arcs(graph) {
+    const lengths = graph.arcs.map((arc) => graph.number_of_points(arc));
+    const number = lengths.reduce((sum, length) => sum + length, 0);
+    this.arc_points = new Float32Array(3 * number);
+    this.arc_of_point = new Uint32Array(number);
+    const ends = new Float32Array(6 * (number - graph.arcs.length)); // of segments
+    let point = 0;
+    let segment = 0;
+    graph.arcs.forEach((arc, i) => {
+      const polyline = graph.polyline(arc);
+      this.arc_points.set(polyline, 3 * point);
+      this.arc_of_point.fill(arc, point, point + lengths[i]);
+      ends.set(segments(polyline), 6 * segment);
+      point += lengths[i];
+      segment += lengths[i] - 1;
+    });
+    this.set_segments(this.arc_lines, ends);
+  }
+
   emphasize(nodes, arcs) {
     this.graph.nodes.forEach((node, i) => {
-      this.node_sizes.array[i] = nodes.has(node) ? sizes.picked_node : sizes.node;
+      this.node_sizes.array[i] = nodes.has(node) ? sizes.picked_node : this.node_size;
     });
     this.node_sizes.needsUpdate = true;
     this.set_segments(
@@ -385,18 +424,32 @@ export class View {
 
   // ---- picking ----
 
-  // The place of a point in the canvas, in pixels, and its distance from the eye.
-  project(x, y, z) {
+  // The places of points in the canvas, in pixels, each with its depth.
+  project(points) {
+    this.camera.updateMatrixWorld();
     const { clientWidth, clientHeight } = this.renderer.domElement;
-    const p = this.vector ?? (this.vector = new Vector3());
-    const distance = p.set(x, y, z).distanceTo(this.camera.position);
-    p.project(this.camera);
-    if (p.z > 1) return { x: far_away, y: far_away, distance };
-    return { x: ((1 + p.x) / 2) * clientWidth, y: ((1 - p.y) / 2) * clientHeight, distance };
+    const m = new Matrix4().multiplyMatrices(
+      this.camera.projectionMatrix,
+      this.camera.matrixWorldInverse,
+    ).elements;
+    const result = new Float32Array(points.length);
+    for (let i = 0; i < points.length; i += 3) {
+      const x = points[i];
+      const y = points[i + 1];
+      const z = points[i + 2];
+      const w = m[3] * x + m[7] * y + m[11] * z + m[15]; // negative behind the eye
+      const px = (m[0] * x + m[4] * y + m[8] * z + m[12]) / w;
+      const py = (m[1] * x + m[5] * y + m[9] * z + m[13]) / w;
+      result[i] = w > 0 ? ((1 + px) / 2) * clientWidth : far_away;
+      result[i + 1] = w > 0 ? ((1 - py) / 2) * clientHeight : far_away;
+      result[i + 2] = w;
+    }
+    return result;
   }
 
   node_on_screen(node) {
-    return this.project(...this.data.node_places.subarray(3 * node, 3 * node + 3));
+    const [x, y] = this.project(this.data.node_places.subarray(3 * node, 3 * node + 3));
+    return { x, y };
   }
 
   // What is at a place in the canvas: a node, an arc, or a point of the surface.
@@ -411,8 +464,10 @@ export class View {
     const { origin, direction } = raycaster.ray;
     const hit =
       this.opacity > 0 ? this.surface.first_hit(origin.toArray(), direction.toArray()) : null;
-    // what an opaque surface hides cannot be meant
-    const limit = hit !== null && this.opacity >= 1 ? hit.distance + 0.02 : Infinity;
+    // What an opaque surface hides cannot be meant.
+    let limit = Infinity;
+    if (hit !== null && this.opacity >= 1)
+      limit = hit.distance * direction.dot(this.camera.getWorldDirection(new Vector3())) + 0.02;
     const node = this.closest_node(x, y, limit);
     if (node !== null) return { kind: "node", id: node };
     const arc = this.closest_arc(x, y, limit);
@@ -421,37 +476,49 @@ export class View {
   }
 
   closest_node(x, y, limit) {
+    const places = this.project(this.shown_places);
     let closest = reach.node;
     let result = null;
-    for (const node of this.graph.nodes) {
-      const p = this.node_on_screen(node);
-      const distance = Math.hypot(p.x - x, p.y - y);
-      if (distance < closest && p.distance <= limit) {
+    this.graph.nodes.forEach((node, i) => {
+      const distance = Math.hypot(places[3 * i] - x, places[3 * i + 1] - y);
+      if (distance < closest && places[3 * i + 2] <= limit) {
         closest = distance;
         result = node;
       }
-    }
+    });
     return result;
   }
 
   closest_arc(x, y, limit) {
+    const places = this.project(this.arc_points);
     let closest = reach.arc;
     let result = null;
-    for (const arc of this.graph.arcs) {
-      const polyline = this.graph.polyline(arc);
-      let p = null;
-      for (let i = 0; i < polyline.length; i += 3) {
-        const q = this.project(polyline[i], polyline[i + 1], polyline[i + 2]);
-        const distance = p === null ? Infinity : distance_to_segment(x, y, p, q);
-        if (distance < closest && Math.min(p.distance, q.distance) <= limit) {
-          closest = distance;
-          result = arc;
-        }
-        p = q;
+    for (let i = 1; i < this.arc_of_point.length; ++i) {
+      if (this.arc_of_point[i] !== this.arc_of_point[i - 1]) continue;
+      const p = 3 * i - 3;
+      const q = 3 * i;
+      if (places[p] === far_away || places[q] === far_away) continue;
+      if (places[p + 2] > limit && places[q + 2] > limit) continue;
+      const distance = distance_to_segment(
+        x,
+        y,
+        places[p],
+        places[p + 1],
+        places[q],
+        places[q + 1],
+      );
+      if (distance < closest) {
+        closest = distance;
+        result = this.arc_of_point[i];
       }
     }
     return result;
   }
+}
+
+// A color for our shaders, whose colors are those of the screen.
+function color_of_screen(style) {
+  return new Color().setStyle(style, "");
 }
 
 // A polyline as segments of two points each.
@@ -462,11 +529,11 @@ function segments(polyline) {
   return result;
 }
 
-function distance_to_segment(x, y, p, q) {
-  const dx = q.x - p.x;
-  const dy = q.y - p.y;
+function distance_to_segment(x, y, px, py, qx, qy) {
+  const dx = qx - px;
+  const dy = qy - py;
   const square = dx * dx + dy * dy;
-  const t = square === 0 ? 0 : ((x - p.x) * dx + (y - p.y) * dy) / square;
+  const t = square === 0 ? 0 : ((x - px) * dx + (y - py) * dy) / square;
   const clamped = Math.min(Math.max(t, 0), 1);
-  return Math.hypot(p.x + clamped * dx - x, p.y + clamped * dy - y);
+  return Math.hypot(px + clamped * dx - x, py + clamped * dy - y);
 }

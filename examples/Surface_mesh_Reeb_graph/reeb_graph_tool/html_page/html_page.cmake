@@ -1,9 +1,11 @@
-# Sets html_page_source to the source file that has the text of the HTML page. npm fetches three.js
-# and esbuild, once for a build folder; where that fails, the tool is built without the page.
+# Sets html_page_source to the source file that has the text of the HTML page, and has_html_page to
+# whether there is a page. npm fetches three.js and esbuild, once for a build folder; where that fails,
+# the tool is built without the page.
 
 set(html_page_dir ${CMAKE_CURRENT_LIST_DIR})
 set(html_page_build_dir ${CMAKE_CURRENT_BINARY_DIR}/html_page)
 set(html_page_source ${CMAKE_CURRENT_SOURCE_DIR}/reeb_graph_tool/no_page_text.cpp)
+set(has_html_page FALSE)
 
 option(SURFACE_MESH_REEB_GRAPH_BUILD_HTML_PAGE
   "Build the HTML page of the tool reeb_graph, if npm is found" ON)
@@ -32,6 +34,7 @@ if(SURFACE_MESH_REEB_GRAPH_BUILD_HTML_PAGE AND NPM_EXECUTABLE AND NODE_EXECUTABL
   endif()
   if(EXISTS ${html_page_stamp})
     set(html_page_source ${html_page_build_dir}/page_text.cpp)
+    set(has_html_page TRUE)
     file(GLOB html_page_files CONFIGURE_DEPENDS
       ${html_page_dir}/*.js ${html_page_dir}/*.mjs ${html_page_dir}/page.*)
     add_custom_command(
@@ -42,7 +45,7 @@ if(SURFACE_MESH_REEB_GRAPH_BUILD_HTML_PAGE AND NPM_EXECUTABLE AND NODE_EXECUTABL
       VERBATIM)
   endif()
 endif()
-if(html_page_source MATCHES "no_page_text")
+if(NOT has_html_page)
   message(NOTICE
     "NOTICE: the HTML page of the tool reeb_graph requires npm, and will not be built.")
 endif()
