@@ -221,8 +221,9 @@ std::set<std::size_t> levels_to_show(std::size_t number_of_levels, std::size_t l
   return levels;
 }
 
-// The differences of values that fractions of the range are meant of, by node.
-std::vector<double> ranges_of_nodes(const Graph& graph)
+// Half the range of the finite values of every node's component, which fractions are meant of. It is
+// not positive if there is none. (Halves, since the difference of two finite numbers may overflow.)
+std::vector<double> half_ranges_of_nodes(const Graph& graph)
 {
   std::vector<int> component(num_vertices(graph));
   const auto number =
@@ -238,7 +239,8 @@ std::vector<double> ranges_of_nodes(const Graph& graph)
   }
   std::vector<double> result;
   for (const int c : component)
-    result.push_back(highest[static_cast<std::size_t>(c)] - lowest[static_cast<std::size_t>(c)]);
+    result.push_back(highest[static_cast<std::size_t>(c)] / 2 -
+                     lowest[static_cast<std::size_t>(c)] / 2);
   return result;
 }
 
@@ -410,15 +412,16 @@ private:
   {
     std::vector<SMRG::Persistence_pair<Graph>> pairs;
     SMRG::persistence_pairs(m_finest.graph, std::back_inserter(pairs));
-    const std::vector<double> ranges = ranges_of_nodes(m_finest.graph);
+    const std::vector<double> half_ranges = half_ranges_of_nodes(m_finest.graph);
     for (const auto& pair : pairs) {
-      const double range = ranges[pair.birth];
+      double persistence = pair.persistence();
+      const double half_range = half_ranges[pair.birth];
+      if (!m_options.threshold_is_absolute && half_range > 0 && persistence > 0)
+        persistence = std::abs(pair.death_value / 2 - pair.birth_value / 2) / half_range;
       m_page.pairs.push_back({static_cast<std::uint32_t>(pair.kind),
                               static_cast<std::uint32_t>(pair.birth),
                               static_cast<std::uint32_t>(pair.death),
-                              m_options.threshold_is_absolute || range == 0
-                                  ? pair.persistence()
-                                  : pair.persistence() / range});
+                              persistence});
     }
   }
 
