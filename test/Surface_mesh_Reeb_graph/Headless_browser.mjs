@@ -135,6 +135,11 @@ export class Headless_browser {
     await this.mouse("mouseReleased", x, y, { button: "left", clickCount: 1 });
   }
 
+  // Fingers, each with x and y; none end the touch.
+  async touch(type, touchPoints) {
+    await this.send("Input.dispatchTouchEvent", { type, touchPoints });
+  }
+
   async press(key, modifiers = 0) {
     const text = key.length === 1 ? key : undefined;
     await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, text, modifiers });

@@ -207,6 +207,11 @@ async function check_thresholds(name, options) {
 
 async function check_picture_and_pointer(prefix) {
   await open(prefix);
+  assert.equal(await browser.evaluate("reeb_graph_page.version"), 1);
+  assert.match(
+    await browser.evaluate("document.getElementById('generator').textContent"),
+    /^reeb_graph \d+\.\d+\.\d+, version 1 of the page$/,
+  );
   const first = await picture();
   assert.ok(first.part > 0.05 && first.part < 0.9, `${first.part} of the canvas is drawn`);
 
@@ -250,6 +255,23 @@ async function check_picture_and_pointer(prefix) {
     await browser.evaluate(`reeb_graph_page.data.pair_births[${mark.pair}]`),
   );
 
+  // So does the keyboard: to the next pair, and at last to one that is cancelled.
+  await browser.evaluate("document.getElementById('diagram').focus()");
+  await browser.press("ArrowRight");
+  assert.equal(
+    await browser.evaluate("reeb_graph_page.picked_pair"),
+    await browser.evaluate(`(() => {
+      const { order } = reeb_graph_page.diagram;
+      return order[order.indexOf(${mark.pair}) + 1];
+    })()`),
+  );
+  const number = await browser.evaluate("reeb_graph_page.diagram.order.length");
+  for (let i = 0; i < number; ++i) await browser.press("ArrowRight");
+  assert.match(
+    await browser.evaluate("document.getElementById('announcement').textContent"),
+    /^pair \w+, cancelled, persistence /,
+  );
+
   // A point of the surface: its level set, and the region of its arc.
   await browser.evaluate("reeb_graph_page.pick(null)");
   const place = await browser.evaluate(`(() => {
@@ -278,6 +300,40 @@ async function check_picture_and_pointer(prefix) {
     before,
   );
   assert.equal(await browser.evaluate("reeb_graph_page.picked.kind"), "arc");
+  check_silence();
+}
+
+async function check_touch(prefix) {
+  await open(prefix);
+  const camera = () => browser.evaluate("reeb_graph_page.view.camera.position.toArray()");
+  const distance = async () => Math.hypot(...(await camera()));
+  const node = await browser.evaluate("reeb_graph_page.graph.nodes[0]");
+  const { x, y } = await browser.evaluate(`reeb_graph_page.view.node_on_screen(${node})`);
+  await browser.touch("touchStart", [{ x, y }]);
+  await browser.touch("touchEnd", []);
+  await browser.wait_for("reeb_graph_page.picked !== null");
+  assert.deepEqual(await browser.evaluate("reeb_graph_page.picked"), { kind: "node", id: node });
+
+  const before = await camera();
+  await browser.touch("touchStart", [{ x: 300, y: 300 }]);
+  await browser.touch("touchMove", [{ x: 340, y: 320 }]);
+  await browser.touch("touchMove", [{ x: 380, y: 340 }]);
+  await next_frame();
+  await browser.touch("touchEnd", []);
+  assert.notDeepEqual(await camera(), before);
+
+  const far = await distance();
+  const fingers = (d) => [
+    { x: 400 - d, y: 400, id: 0 },
+    { x: 400 + d, y: 400, id: 1 },
+  ];
+  await browser.touch("touchStart", fingers(50));
+  for (const d of [60, 80, 100]) {
+    await browser.touch("touchMove", fingers(d));
+    await next_frame();
+  }
+  await browser.touch("touchEnd", []);
+  assert.ok((await distance()) < 0.9 * far, "two fingers that part do not zoom in");
   check_silence();
 }
 
@@ -372,6 +428,7 @@ try {
   write_mesh("tori", smooth, smooth.points.map(([x, y, z]) => z + 0.3 * Math.sin(5 * x + 3 * y)));
   const prefix = run_tool("tori", "tori", ["--simplify", "0.1"]);
   await check_picture_and_pointer(prefix);
+  await check_touch(prefix);
   await check_keys(prefix);
   await check_export(prefix);
 

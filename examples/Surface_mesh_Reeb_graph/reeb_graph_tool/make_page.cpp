@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_Reeb_graph/persistence_gap.h>
 #include <CGAL/Surface_mesh_Reeb_graph/persistence_pairs.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/range/iterator_range.hpp>
@@ -22,6 +24,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

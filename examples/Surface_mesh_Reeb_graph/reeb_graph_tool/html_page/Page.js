@@ -248,12 +248,11 @@ export class Page {
     });
   }
 
-  // Of a pair the birth is picked, or what is left of it.
+  // The node that stands for a pair, if the pair is not cancelled.
   node_of_pair(pair) {
     if (pair === null) return null;
-    const { pair_births, pair_deaths } = this.data;
-    const node = [pair_births[pair], pair_deaths[pair]].find((n) => this.graph.is_node(n));
-    return node === undefined ? null : { kind: "node", id: node };
+    const node = this.data.pair_births[pair];
+    return this.graph.is_node(node) ? { kind: "node", id: node } : null;
   }
 
   pick(item, pair = null) {
@@ -261,9 +260,9 @@ export class Page {
     this.picked_pair = pair;
     this.update_emphasis();
     this.show_picked();
-    const text =
-      item === null ? "nothing picked" : this.facts(item).map((fact) => fact.join(" ")).join(", ");
-    by_id("announcement").textContent = text;
+    const facts = this.picked_facts();
+    by_id("announcement").textContent =
+      facts.length === 0 ? "nothing picked" : facts.map((fact) => fact.join(" ")).join(", ");
   }
 
   // The item after the picked one, or before it.
@@ -312,16 +311,27 @@ export class Page {
     this.diagram.emphasize(pairs, this.picked_pair ?? [...pairs][0]);
   }
 
+  picked_facts() {
+    if (this.picked !== null) return this.facts(this.picked);
+    if (this.picked_pair === null) return [];
+    const { pair_kinds: kinds, pair_persistences } = this.data;
+    return [
+      ["pair", `${pair_kinds[kinds[this.picked_pair]]}, cancelled`],
+      ["persistence", this.persistence_text(pair_persistences[this.picked_pair])],
+    ];
+  }
+
   show_picked() {
     const list = document.createElement("dl");
-    for (const [name, value] of this.picked === null ? [] : this.facts(this.picked)) {
+    const facts = this.picked_facts();
+    for (const [name, value] of facts) {
       list.append(
         Object.assign(document.createElement("dt"), { textContent: name }),
         Object.assign(document.createElement("dd"), { textContent: value }),
       );
     }
-    if (this.picked === null) by_id("picked").textContent = "Click a node or an arc, or press N or A.";
-    else by_id("picked").replaceChildren(list);
+    if (facts.length > 0) by_id("picked").replaceChildren(list);
+    else by_id("picked").textContent = "Click a node or an arc, or press N or A.";
   }
 
   // ---- pointer and keys ----

@@ -128,7 +128,6 @@ export class View {
     this.add_surface();
     this.add_graph();
     this.reset_camera();
-    this.opacity = 0.5;
   }
 
   add_surface() {
