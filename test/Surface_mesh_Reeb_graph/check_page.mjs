@@ -415,6 +415,17 @@ async function check_large_mesh() {
     new RegExp(`drawn with ${drawn} of its vertices`),
   );
   assert.ok((await picture()).part > 0.05);
+
+  // As if there was no graphics card: fewer triangles while the shape moves, all of them afterwards.
+  await browser.evaluate("reeb_graph_page.view.is_slow = true");
+  await browser.evaluate("reeb_graph_page.view.turn(0.1, 0)");
+  await browser.wait_for("reeb_graph_page.view.is_coarse");
+  const shown = "reeb_graph_page.view.renderer.info.render.triangles";
+  const coarse = await browser.evaluate(shown);
+  await browser.wait_for("!reeb_graph_page.view.is_coarse");
+  await next_frame();
+  const whole = await browser.evaluate(shown);
+  assert.ok(coarse < whole / 5, `${coarse} of ${whole} triangles are drawn`);
   check_silence();
   const first = await browser.evaluate("performance.getEntriesByName('first picture')[0].startTime");
   console.log(`${mesh.points.length} vertices: ${size} bytes, first picture in ${first.toFixed()} ms`);

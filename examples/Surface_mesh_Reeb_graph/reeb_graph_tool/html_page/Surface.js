@@ -77,6 +77,26 @@ export class Surface {
     return segments;
   }
 
+  // Fewer triangles between some of the vertices: those in a cell of a grid become one.
+  coarse_triangles(cells_per_unit) {
+    const cells = new Map();
+    const number = this.points.length / 3;
+    const kept = new Uint32Array(number);
+    for (let v = 0; v < number; ++v) {
+      let cell = 0;
+      for (let k = 0; k < 3; ++k)
+        cell = cell * 4 * cells_per_unit + Math.floor((this.points[3 * v + k] + 2) * cells_per_unit);
+      if (!cells.has(cell)) cells.set(cell, v);
+      kept[v] = cells.get(cell);
+    }
+    const result = [];
+    for (let t = 0; t < this.triangles.length; t += 3) {
+      const [a, b, c] = [0, 1, 2].map((i) => kept[this.triangles[t + i]]);
+      if (a !== b && b !== c && c !== a) result.push(a, b, c);
+    }
+    return Uint32Array.from(result);
+  }
+
   // By corner: the triangle beyond the edge that begins there, or -1. At edges of more than two
   // triangles, which a coarser picture may have, some are neighbors of none.
   find_neighbors() {

@@ -111,6 +111,13 @@ const node_shapes = { maximum: 0, minimum: 1, split: 2, merge: 3, isolated: 4, d
 const sizes = { node: 19, picked_node: 30, arc: 3.5, picked_arc: 8, curve: 2.5 }; // pixels
 const smallest_sizes = { node: 4, arc: 1 }; // where there are very many
 const many_nodes = 150;
+// Without a graphics card, frames take longer than this; then a coarser surface is drawn while the
+// shape moves, and the whole one when it has been at rest for a while. (milliseconds)
+const slow_frame = 50; // on average, of some in a row
+const slow_frames = 4;
+const rest = 250;
+const coarse_cells = 24; // in half the diagonal of the box
+
 const reach = { node: 12, arc: 7 }; // how near a pointer must come, in pixels
 
 export class View {
@@ -123,7 +130,11 @@ export class View {
     this.controls.staticMoving = true;
     this.controls.rotateSpeed = 2.5;
     this.controls.keys = ["", "", ""]; // the page has its own
-    this.controls.addEventListener("change", () => this.request_frame());
+    this.controls.addEventListener("change", () => this.note_motion());
+    this.last_motion = -Infinity;
+    this.last_update = 0;
+    this.frame_times = []; // of frames in a row
+    this.is_slow = false;
     this.scene = new Scene();
     this.add_surface();
     this.add_graph();
@@ -160,6 +171,7 @@ export class View {
     const colored = new Mesh(geometry, this.surface_material);
     colored.renderOrder = 2;
     this.surface_meshes = [front, colored];
+    this.whole_geometry = geometry;
     this.scene.add(front, colored);
   }
 
@@ -345,13 +357,13 @@ export class View {
     camera.up.applyQuaternion(rotation);
     camera.position.copy(controls.target).add(offset.applyQuaternion(rotation));
     controls.update();
-    this.request_frame();
+    this.note_motion();
   }
 
   zoom(factor) {
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
-    this.request_frame();
+    this.note_motion();
   }
 
   pan(right, up) {
@@ -363,7 +375,7 @@ export class View {
     camera.position.add(direction);
     controls.target.add(direction);
     controls.update();
-    this.request_frame();
+    this.note_motion();
   }
 
   // ---- drawing ----
@@ -395,12 +407,49 @@ export class View {
     this.is_frame_wanted = true;
   }
 
+  note_motion() {
+    this.last_motion = performance.now();
+    this.request_frame();
+  }
+
   // Is called before every frame of the screen.
   update() {
     this.controls.update();
+    const now = performance.now();
+    const is_moving = this.last_motion >= this.last_update || now - this.last_motion < rest;
+    if (!is_moving && this.is_coarse) this.request_frame();
+    if (is_moving && this.is_frame_wanted && this.was_frame_wanted)
+      this.frame_times.push(now - this.last_update);
+    else this.frame_times = [];
+    if (this.frame_times.length >= slow_frames) {
+      // one may have had other reasons
+      const times = this.frame_times.splice(0).sort((a, b) => a - b).slice(0, -1);
+      const sum = times.reduce((s, time) => s + time, 0);
+      this.is_slow ||= sum > times.length * slow_frame;
+    }
+    this.last_update = now;
+    this.was_frame_wanted = this.is_frame_wanted;
     if (!this.is_frame_wanted) return;
     this.is_frame_wanted = false;
+    this.set_coarse(is_moving && this.is_slow);
     this.render();
+  }
+
+  set_coarse(is_coarse) {
+    this.is_coarse = is_coarse;
+    if (is_coarse) this.coarse_geometry ??= this.make_coarse_geometry();
+    for (const mesh of this.surface_meshes)
+      mesh.geometry = is_coarse ? this.coarse_geometry : this.whole_geometry;
+  }
+
+  // The vertices are shared.
+  make_coarse_geometry() {
+    const geometry = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(this.whole_geometry.attributes))
+      geometry.setAttribute(name, attribute);
+    const triangles = this.surface.coarse_triangles(coarse_cells);
+    geometry.setIndex(new BufferAttribute(triangles, 1));
+    return geometry;
   }
 
   render() {
@@ -409,6 +458,7 @@ export class View {
 
   // A copy of the picture with at least two pixels for one of the screen.
   picture() {
+    this.set_coarse(false);
     this.set_pixel_ratio(Math.max(2, window.devicePixelRatio));
     this.render();
     const { domElement } = this.renderer;

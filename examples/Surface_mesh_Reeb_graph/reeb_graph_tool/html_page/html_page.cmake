@@ -45,7 +45,7 @@ if(SURFACE_MESH_REEB_GRAPH_BUILD_HTML_PAGE AND NPM_EXECUTABLE AND NODE_EXECUTABL
       VERBATIM)
   endif()
 endif()
-if(NOT has_html_page)
+if(SURFACE_MESH_REEB_GRAPH_BUILD_HTML_PAGE AND NOT has_html_page)
   message(NOTICE
     "NOTICE: the HTML page of the tool reeb_graph requires npm, and will not be built.")
 endif()
