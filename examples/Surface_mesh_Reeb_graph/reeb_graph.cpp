@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -40,6 +39,7 @@ void write_pages(const Options& options,
                  const Finest_graph& finest,
                  Progress& progress)
 {
+  progress.say("writing the page");
   const Page page = make_page(options, result, finest, progress);
   const auto write = [&](std::ostream& out) { write_page(out, page); };
   if (!options.html.empty())
@@ -83,11 +83,8 @@ void run(const Options& options, Result& result)
     result.diagram = diagram.str();
   }
   const bool wants_page = has_page() && !(options.output.empty() && options.html.empty());
-  // The levels of the page are those of cancelled branches; what else there is comes before them.
-  const bool has_page_all_levels =
-      options.close_loops == 0 && options.leaves == (std::numeric_limits<int>::max)();
   std::optional<Finest_graph> finest;
-  if (wants_page && has_page_all_levels)
+  if (wants_page && !is_simplified_before_levels(options))
     finest = finest_graph(result);
   timed(result.seconds.simplify, progress, "simplifying the Reeb graph", [&]() {
     SMRG::simplify_Reeb_graph(result.mesh,

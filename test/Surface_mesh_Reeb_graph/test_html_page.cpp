@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(loops_and_leaves)
                                 .loop_persistence_threshold(options.close_loops));
   Progress progress;
   const Page page = make_page(options, result, finest_graph(result), progress);
-  BOOST_TEST(page.are_branches_cancelled);
+  BOOST_TEST(page.is_graph_simplified);
   BOOST_TEST(page.first_stop == 0u);
   check_polylines(page, result);
 }

@@ -57,7 +57,7 @@ struct Page
   std::string name;     // of the mesh
   std::string function; // its name, or that of the file
   std::size_t number_of_vertices = 0, number_of_faces = 0;
-  bool is_threshold_absolute = false, are_branches_cancelled = false;
+  bool is_threshold_absolute = false, is_graph_simplified = false;
   std::uint32_t number_of_levels = 1, first_stop = 0; // the stop to begin with
 
   // the picture: the mesh, or a coarser one

@@ -278,15 +278,10 @@ public:
 private:
   using Hierarchy = SMRG::Reeb_graph_hierarchy<Graph>;
 
-  bool is_cancelled_further() const
-  {
-    return m_options.close_loops > 0 || m_options.leaves != (std::numeric_limits<int>::max)();
-  }
-
   // The one that result.graph has been made with.
   double threshold() const
   {
-    if (is_cancelled_further())
+    if (is_simplified_before_levels(m_options))
       return 0;
     if (m_options.gap == 0)
       return m_options.simplify;
@@ -341,7 +336,7 @@ private:
     std::set<std::size_t> levels = levels_to_show(hierarchy.number_of_levels(), limit);
     levels.insert(first_level);
 
-    m_page.are_branches_cancelled = is_cancelled_further();
+    m_page.is_graph_simplified = is_simplified_before_levels(m_options);
     m_page.number_of_levels = static_cast<std::uint32_t>(hierarchy.number_of_levels());
     Graph_recorder recorder(m_page);
     for (const std::size_t level : levels) {
@@ -437,6 +432,11 @@ private:
 };
 
 } // namespace
+
+bool is_simplified_before_levels(const Options& options)
+{
+  return options.close_loops > 0 || options.leaves != (std::numeric_limits<int>::max)();
+}
 
 Finest_graph finest_graph(const Result& result)
 {

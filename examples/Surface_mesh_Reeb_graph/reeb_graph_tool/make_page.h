@@ -14,11 +14,15 @@ struct Finest_graph
   std::vector<int> arcs;
 };
 
+// Whether the options ask for more than to cancel the branches below a threshold, which is what the
+// levels of the page are. What else they ask for comes before all levels.
+bool is_simplified_before_levels(const Options& options);
+
 // Keeps what the page needs of the graph of a result.
 Finest_graph finest_graph(const Result& result);
 
-// Makes what the HTML page shows. `finest` is the graph that result.graph has been made of; if loops
-// have been closed, or branches cancelled beyond the threshold, it is that of the result itself.
+// Makes what the HTML page shows. `finest` is what result.graph was before it was simplified, or what it
+// is if is_simplified_before_levels().
 Page make_page(const Options& options,
                const Result& result,
                const Finest_graph& finest,

@@ -140,22 +140,21 @@ public:
     add_picture();
     add_graph();
     const nlohmann::ordered_json box = {m_box[0].json(), m_box[1].json(), m_box[2].json()};
-    const nlohmann::ordered_json header = {
-        {"version", version_of_data},
-        {"generator", "reeb_graph " REEB_GRAPH_TOOL_VERSION},
-        {"name", m_page.name},
-        {"function", m_page.function},
-        {"vertices", m_page.number_of_vertices},
-        {"faces", m_page.number_of_faces},
-        {"is_decimated", m_page.is_decimated},
-        {"is_threshold_absolute", m_page.is_threshold_absolute},
-        {"are_branches_cancelled", m_page.are_branches_cancelled},
-        {"number_of_levels", m_page.number_of_levels},
-        {"first_stop", m_page.first_stop},
-        {"box", box},
-        {"range", m_range.json()},
-        {"steps", steps},
-        {"arrays", m_data.arrays()}};
+    const nlohmann::ordered_json header = {{"version", version_of_data},
+                                           {"generator", "reeb_graph " REEB_GRAPH_TOOL_VERSION},
+                                           {"name", m_page.name},
+                                           {"function", m_page.function},
+                                           {"vertices", m_page.number_of_vertices},
+                                           {"faces", m_page.number_of_faces},
+                                           {"is_decimated", m_page.is_decimated},
+                                           {"is_threshold_absolute", m_page.is_threshold_absolute},
+                                           {"is_graph_simplified", m_page.is_graph_simplified},
+                                           {"number_of_levels", m_page.number_of_levels},
+                                           {"first_stop", m_page.first_stop},
+                                           {"box", box},
+                                           {"range", m_range.json()},
+                                           {"steps", steps},
+                                           {"arrays", m_data.arrays()}};
     // names of files may be in any encoding
     const std::string text =
         header.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);

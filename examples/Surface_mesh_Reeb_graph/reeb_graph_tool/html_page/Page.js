@@ -75,7 +75,7 @@ export class Page {
         `The mesh is drawn with ${this.data.vertices.length} of its vertices; the graph is that of ` +
           "all of them.",
       );
-    if (header.are_branches_cancelled)
+    if (header.is_graph_simplified)
       notes.push("The finest graph here is the simplified one that the options asked for.");
     if (this.graph.number_of_stops < header.number_of_levels)
       notes.push(
