@@ -92,16 +92,20 @@ export class Page {
       this.diagram.number_left_out > 0
         ? `${this.diagram.number_left_out} pairs of smaller persistence are not drawn.`
         : "";
+    const add_to_legend = (list, name, shape) => {
+      const item = document.createElement("li");
+      item.innerHTML = `<svg viewBox="0 0 14 14" aria-hidden="true">${shape}</svg>${name}`;
+      by_id(list).append(item);
+    };
+    for (const kind of pair_kinds)
+      add_to_legend("pair_kinds", kind, `<circle cx="7" cy="7" r="6" class="pair ${kind}"/>`);
     for (const type of node_types) {
       if (type === "isolated" || type === "degenerate") {
         const exists = this.graph.nodes.some((node) => this.graph.type(node) === type);
         if (!exists) continue;
       }
-      const item = document.createElement("li");
-      item.innerHTML =
-        `<svg viewBox="0 0 14 14" aria-hidden="true"><path d="${shape_paths[type]}" ` +
-        `fill="${node_colors[type]}"/></svg>${type}`;
-      by_id("node_types").append(item);
+      const fill = node_colors[type];
+      add_to_legend("node_types", type, `<path d="${shape_paths[type]}" fill="${fill}"/>`);
     }
   }
 

@@ -129,7 +129,7 @@ export class View {
     this.controls = new TrackballControls(this.camera, canvas);
     this.controls.staticMoving = true;
     this.controls.rotateSpeed = 2.5;
-    this.controls.keys = ["", "", ""]; // the page has its own
+    this.controls.keys = [null, null, null]; // the page has its own
     this.controls.addEventListener("change", () => this.note_motion());
     this.last_motion = -Infinity;
     this.last_update = 0;
