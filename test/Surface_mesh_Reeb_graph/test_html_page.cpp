@@ -12,6 +12,7 @@
 #include "random_meshes.h"
 
 // after random_meshes.h: Boost's disjoint sets do not compile after its readers of graphs
+#include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/Graph_recorder.h"
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/cluster_vertices.h"
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/make_page.h"
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/write_page.h"
@@ -321,6 +322,38 @@ BOOST_AUTO_TEST_CASE(loops_and_leaves)
   BOOST_TEST(page.is_graph_simplified);
   BOOST_TEST(page.first_stop == 0u);
   check_polylines(page, result);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+BOOST_AUTO_TEST_SUITE(recorder)
+
+// A branch of one arc hangs on a path of two. When it is cancelled, its vertices belong to the arc that
+// the path becomes, and do not pull the polyline.
+BOOST_AUTO_TEST_CASE(cancelled_branches_do_not_lie_along_the_arc)
+{
+  using Ends = std::vector<Graph_recorder::Ends>;
+  const std::vector<std::uint32_t> path = {0, 2}, groups = {0, 1, 2};
+  for (const bool is_upward : {false, true}) {
+    const Ends ends = is_upward ? Ends{{0, 1}, {1, 2}, {1, 3}} : Ends{{0, 2}, {1, 2}, {2, 3}};
+    Page page;
+    page.nodes.resize(4, {0, 0, {0, 0, 0}, Page::none});
+    Graph_recorder recorder(page);
+    const auto first = recorder.add({{0, 1, 2, 3}, ends, groups});
+    BOOST_REQUIRE(first.size() == 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+      BOOST_TEST(first[i].groups == std::vector<std::uint32_t>(1, static_cast<std::uint32_t>(i)));
+    auto next = recorder.add({{0, 3}, {{0, 3}}, {0, 0, 0}});
+    BOOST_REQUIRE(next.size() == 1u);
+    std::sort(next[0].groups.begin(), next[0].groups.end());
+    BOOST_TEST(next[0].groups == path);
+    for (std::size_t i = 0; i < 3; ++i) {
+      BOOST_TEST(page.arcs[i].end == 1u);
+      BOOST_TEST(page.arcs[i].heir == next[0].arc);
+    }
+    BOOST_TEST(page.nodes[0].end == Page::none);
+    BOOST_TEST(page.nodes[1].end == 1u);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
