@@ -153,19 +153,23 @@ function check_silence() {
   for (const request of browser.requests) assert.match(request, /^(file:.*\.html|data:,|blob:.*)$/);
 }
 
-// The pixels that differ from the background, and a number that tells pictures apart.
+// The parts of the pixels that differ from the background, and from the picture before; and a number
+// that tells pictures apart.
 const picture_of_page = `(() => {
   const canvas = document.getElementById("canvas");
   const copy = new OffscreenCanvas(canvas.width, canvas.height);
   const context = copy.getContext("2d");
   context.drawImage(canvas, 0, 0);
   const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
-  let drawn = 0, hash = 0;
-  for (const pixel of pixels) {
+  const last = window.last_pixels ?? pixels;
+  window.last_pixels = pixels;
+  let drawn = 0, changed = 0, hash = 0;
+  pixels.forEach((pixel, i) => {
     drawn += pixel !== pixels[0];
+    changed += pixel !== last[i];
     hash = (31 * hash + pixel) | 0;
-  }
-  return { part: drawn / pixels.length, hash };
+  });
+  return { part: drawn / pixels.length, changed: changed / pixels.length, hash };
 })()`;
 
 async function picture() {
@@ -284,8 +288,11 @@ async function check_picture_and_pointer(prefix) {
   await browser.mouse("mouseMoved", place.x, place.y);
   await next_frame();
   assert.equal(await browser.evaluate("reeb_graph_page.view.curve_lines.visible"), true);
+  await picture();
   await browser.click(place.x, place.y);
   assert.equal(await browser.evaluate("reeb_graph_page.picked.kind"), "arc");
+  const { changed, part } = await picture();
+  assert.ok(changed > 0.9 * part, "the region does not stand out from the others");
   const lit = await browser.evaluate("reeb_graph_page.view.lit.array.reduce((s, x) => s + x, 0)");
   assert.ok(lit > 0);
 
