@@ -105,10 +105,13 @@ BOOST_AUTO_TEST_CASE(the_classification_of_another_function_is_an_internal_error
   const Case other = random_torus(3);
   const auto indices = get(boost::vertex_index, c.mesh);
   SMRG::internal::Vertex_classification states(c.mesh.number_of_vertices());
-  states.classify<CGAL::Sequential_tag>(c.mesh, indices, [&](Vertex v) { return other.values[v]; });
+  std::vector<SMRG::internal::Monotone_neighbors<Mesh>> neighbors;
+  states.classify<CGAL::Sequential_tag>(
+      c.mesh, indices, [&](Vertex v) { return other.values[v]; }, &neighbors);
   const Order order(c.mesh, c.values, indices);
   const auto compute = [&]() {
-    SMRG::internal::compute_arc_list<CGAL::Sequential_tag>(c.mesh, order, indices, states, {});
+    SMRG::internal::compute_arc_list<CGAL::Sequential_tag>(
+        c.mesh, order, indices, states, neighbors, {});
   };
   BOOST_CHECK_EXCEPTION(SMRG::internal::check_mesh_on_internal_error(c.mesh, indices, compute),
                         SMRG::Internal_error,
