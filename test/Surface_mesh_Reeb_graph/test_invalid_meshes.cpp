@@ -266,3 +266,30 @@ BOOST_AUTO_TEST_CASE(damaged_halfedge_structures_are_an_error)
   }
   BOOST_TEST(number_of_errors > 0u);
 }
+
+// Debug or Release: an error, not a walk without end.
+BOOST_AUTO_TEST_CASE(other_faces_than_triangles_are_an_error)
+{
+  // with border; closed, a pyramid with one quadrangle; nothing but quadrangles
+  for (const std::vector<std::vector<std::size_t>>& faces :
+       {std::vector<std::vector<std::size_t>>{{0, 1, 3, 2}, {1, 0, 4}},
+        {{0, 1, 3, 2}, {1, 0, 4}, {3, 1, 4}, {2, 3, 4}, {0, 2, 4}},
+        {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {1, 5, 7, 3}, {3, 7, 6, 2}, {2, 6, 4, 0}}})
+  {
+    Case c(Index_mesh(), {});
+    std::vector<Vertex> corners;
+    for (int i = 0; i < 8; ++i) {
+      corners.push_back(c.mesh.add_vertex(Mesh::Point(i % 2, i / 2 % 2, i / 4)));
+      c.values[corners.back()] = i;
+    }
+    for (const std::vector<std::size_t>& face : faces) {
+      std::vector<Vertex> vertices;
+      for (const std::size_t i : face)
+        vertices.push_back(corners[i]);
+      BOOST_TEST_REQUIRE((c.mesh.add_face(vertices) != Mesh::null_face()));
+    }
+    Graph graph;
+    BOOST_CHECK_EXCEPTION(
+        SMRG::compute_Reeb_graph(c.mesh, c.values, graph), SMRG::Error, says("triangle"));
+  }
+}
