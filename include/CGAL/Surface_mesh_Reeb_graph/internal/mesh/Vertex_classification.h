@@ -222,12 +222,13 @@ private:
         const std::size_t other = b == c ? i2 : i0;
         middle[i] = a == b ? i1 : other;
         if constexpr (has_neighbors) {
-          // around the face the vertex before the middle one, and the one after it
-          const auto before = a == b ? v0 : (b == c ? v1 : v2);
-          const auto after = a == b ? v2 : (b == c ? v0 : v1);
-          const bool is_rising = a == b ? a != 0 : c != 0;
-          lowest[i] = is_rising ? before : after;
-          highest[i] = is_rising ? after : before;
+          // by the comparisons: which corner is the lowest, and which one the highest
+          constexpr std::array<std::uint8_t, 8> lowest_corner = {0, 0, 1, 0, 2, 2, 1, 0};
+          constexpr std::array<std::uint8_t, 8> highest_corner = {0, 1, 2, 2, 0, 1, 0, 0};
+          const std::array<vertex_descriptor, 3> corners = {v0, v1, v2};
+          const unsigned comparisons = a + 2 * b + 4 * c;
+          lowest[i] = corners[lowest_corner[comparisons]];
+          highest[i] = corners[highest_corner[comparisons]];
         }
       }
       part.number_of_rising_halfedges += number_of_rising_halfedges;
