@@ -137,18 +137,36 @@ double time_floor(const Input& input)
   return least;
 }
 
+// Where the arcs go; made before the measurement.
+struct Arc_maps
+{
+  explicit Arc_maps(const Mesh& mesh)
+    : of_vertices(mesh.number_of_vertices()), of_faces(mesh.number_of_faces())
+  {}
+
+  std::vector<std::size_t> of_vertices, of_faces;
+};
+
 template <Algorithm algorithm>
-void compute_graph(const Input& input, SMRG::Reeb_graph<Mesh>& graph)
+void compute_graph(const Input& input, SMRG::Reeb_graph<Mesh>& graph, Arc_maps& arcs)
 {
   using Choice = SMRG::Reeb_graph_algorithm;
   constexpr Choice choice = algorithm == CUTTING ? Choice::CUTTING
                             : algorithm == SWEEP ? Choice::SWEEP
                                                  : Choice::AUTOMATIC;
-  using Tag = std::conditional_t<algorithm == PARALLEL, CGAL::Parallel_tag, CGAL::Sequential_tag>;
-  SMRG::compute_Reeb_graph<Tag>(input.mesh,
-                                CGAL::make_property_map(input.values),
-                                graph,
-                                CGAL::parameters::algorithm(choice));
+  constexpr bool is_parallel = algorithm == PARALLEL || algorithm == PARALLEL_VERTEX_MAP;
+  using Tag = std::conditional_t<is_parallel, CGAL::Parallel_tag, CGAL::Sequential_tag>;
+  const auto compute = [&](const auto& np) {
+    SMRG::compute_Reeb_graph<Tag>(input.mesh, CGAL::make_property_map(input.values), graph, np);
+  };
+  if constexpr (algorithm == VERTEX_MAP || algorithm == PARALLEL_VERTEX_MAP)
+    compute(SMRG::parameters::vertex_arc_map(CGAL::make_property_map(arcs.of_vertices)));
+  else if constexpr (algorithm == FACE_MAP)
+    compute(SMRG::parameters::face_arc_map(CGAL::make_property_map(arcs.of_faces)));
+  else if constexpr (algorithm == ARC_VERTICES)
+    compute(SMRG::parameters::collect_arc_vertices(true));
+  else
+    compute(CGAL::parameters::algorithm(choice));
 }
 
 Row& row_of(const Input& input)
@@ -173,12 +191,13 @@ void measure(benchmark::State& state, const Row_key& key)
   Row& row = row_of(input);
   Result& result = row.results[algorithm];
   std::size_t loops = 0;
+  Arc_maps arcs(input.mesh);
   for (auto _ : state) {
     take_minimum(row.floor_seconds, time_floor(input));
 
     const Memory_meter memory;
     SMRG::Reeb_graph<Mesh> graph;
-    const double seconds = seconds_for([&]() { compute_graph<algorithm>(input, graph); });
+    const double seconds = seconds_for([&]() { compute_graph<algorithm>(input, graph, arcs); });
     result.output_bytes = double(memory.live());
     result.working_bytes = double(memory.peak() - memory.live());
     take_minimum(result.seconds, seconds);
@@ -216,10 +235,11 @@ void measure_vtk(benchmark::State& state, const Row_key& key)
   const Input& input = input_for(key);
   Row& row = row_of(input);
   Vtk_input vtk_input(input.mesh, input.values);
+  Arc_maps arcs(input.mesh);
   for (auto _ : state) {
     SMRG::Reeb_graph<Mesh> graph;
     take_minimum(row.results[AUTOMATIC].seconds,
-                 seconds_for([&]() { compute_graph<AUTOMATIC>(input, graph); }));
+                 seconds_for([&]() { compute_graph<AUTOMATIC>(input, graph, arcs); }));
     std::size_t nodes = 0;
     const double seconds = seconds_for([&]() { nodes = vtk_input.compute_Reeb_graph(); });
     take_minimum(row.vtk_seconds, seconds);
@@ -264,8 +284,12 @@ void register_benchmarks(const Options& options)
         add(name + algorithm_names[AUTOMATIC], measure<AUTOMATIC>, key);
         add(name + algorithm_names[CUTTING], measure<CUTTING>, key);
         add(name + algorithm_names[SWEEP], measure<SWEEP>, key);
+        add(name + algorithm_names[VERTEX_MAP], measure<VERTEX_MAP>, key);
+        add(name + algorithm_names[ARC_VERTICES], measure<ARC_VERTICES>, key);
+        add(name + algorithm_names[FACE_MAP], measure<FACE_MAP>, key);
 #ifdef CGAL_LINKED_WITH_TBB
         add(name + algorithm_names[PARALLEL], measure<PARALLEL>, key);
+        add(name + algorithm_names[PARALLEL_VERTEX_MAP], measure<PARALLEL_VERTEX_MAP>, key);
 #endif
 #ifdef REEB_GRAPH_BENCHMARK_WITH_VTK
         if (triangles <= options.vtk_largest && (function == SMOOTH || options.vtk_with_noise))

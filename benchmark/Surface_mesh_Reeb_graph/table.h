@@ -27,11 +27,29 @@ namespace Reeb_graph_benchmark {
 
 constexpr double not_measured = std::numeric_limits<double>::infinity();
 
-// PARALLEL is the automatic choice with all processors, where there is TBB.
-enum Algorithm { AUTOMATIC, CUTTING, SWEEP, PARALLEL };
+// PARALLEL is the automatic choice with all processors, where there is TBB. What follows is the
+// automatic choice with more output than the graph.
+enum Algorithm {
+  AUTOMATIC,
+  CUTTING,
+  SWEEP,
+  PARALLEL,
+  VERTEX_MAP,
+  ARC_VERTICES,
+  FACE_MAP,
+  PARALLEL_VERTEX_MAP,
+  NUMBER_OF_ALGORITHMS
+};
 
-inline const std::array<const char*, 4> algorithm_names = {
-    "automatic", "cutting", "sweep", "parallel"};
+inline const std::array<const char*, NUMBER_OF_ALGORITHMS> algorithm_names = {
+    "automatic",
+    "cutting",
+    "sweep",
+    "parallel",
+    "vertex_arc_map",
+    "arc_vertices",
+    "face_arc_map",
+    "parallel_vertex_arc_map"};
 
 struct Result
 {
@@ -47,7 +65,7 @@ struct Row
   std::size_t triangles = 0;
   std::size_t nodes = 0;
   double floor_seconds = not_measured;
-  std::array<Result, 4> results; // by algorithm
+  std::array<Result, NUMBER_OF_ALGORITHMS> results; // by algorithm
   double vtk_seconds = not_measured;
 
   double ratio_to_floor(const Algorithm algorithm) const
@@ -92,6 +110,33 @@ inline void write_times(std::ostream& out, const Results& results)
     out << " | " << (has_automatic ? in_figures(automatic.working_bytes / n, 1) : "-") << " | "
         << (has_automatic ? in_figures(automatic.output_bytes / n, 1) : "-") << " | "
         << (has_automatic ? in_figures(row.vtk_seconds / automatic.seconds, 0) : "-") << " |\n";
+  }
+}
+
+// What the relation of graph and mesh costs beside the graph.
+inline void write_augmented(std::ostream& out, const Results& results)
+{
+  out << "| mesh | triangles | function | floor [ms] | graph, x floor | vertex map [ms] | x floor "
+         "| vertices of arcs [ms] | x floor | face map [ms] | x floor | vertex map, parallel [ms] "
+         "| working bytes per vertex, vertex map |\n"
+         "|---|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (const auto& [key, row] : results) {
+    if (row.results[VERTEX_MAP].seconds == not_measured)
+      continue;
+    const auto ratio = [&row = row](Algorithm algorithm) {
+      return in_figures(row.results[algorithm].seconds == not_measured
+                            ? not_measured
+                            : row.ratio_to_floor(algorithm),
+                        1);
+    };
+    out << "| " << mesh_families[std::get<0>(key)].name << " | " << row.triangles << " | "
+        << function_names[std::get<2>(key)] << " | " << in_figures(1e3 * row.floor_seconds, 2)
+        << " | " << ratio(AUTOMATIC);
+    for (const Algorithm algorithm : {VERTEX_MAP, ARC_VERTICES, FACE_MAP})
+      out << " | " << in_figures(1e3 * row.results[algorithm].seconds, 2) << " | "
+          << ratio(algorithm);
+    out << " | " << in_figures(1e3 * row.results[PARALLEL_VERTEX_MAP].seconds, 2) << " | "
+        << in_figures(row.results[VERTEX_MAP].working_bytes / double(row.vertices), 1) << " |\n";
   }
 }
 
@@ -206,6 +251,10 @@ inline void write_tables(std::ostream& out, const Results& results)
          "its "
          "middle vertex.\n\n";
   write_times(out, results);
+  out << "\nWith the arc of every vertex, the vertices of every arc in increasing order, and the "
+         "arc of "
+         "every face:\n\n";
+  write_augmented(out, results);
   out << "\nNanoseconds per vertex, by the number of vertices:\n\n";
   write_scaling(out, results);
   out << '\n';

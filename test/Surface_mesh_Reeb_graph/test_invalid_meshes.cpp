@@ -105,10 +105,13 @@ BOOST_AUTO_TEST_CASE(the_classification_of_another_function_is_an_internal_error
   const Case other = random_torus(3);
   const auto indices = get(boost::vertex_index, c.mesh);
   SMRG::internal::Vertex_classification states(c.mesh.number_of_vertices());
-  states.classify<CGAL::Sequential_tag>(c.mesh, indices, [&](Vertex v) { return other.values[v]; });
+  std::vector<SMRG::internal::Monotone_neighbors<Mesh>> neighbors;
+  states.classify<CGAL::Sequential_tag>(
+      c.mesh, indices, [&](Vertex v) { return other.values[v]; }, &neighbors);
   const Order order(c.mesh, c.values, indices);
   const auto compute = [&]() {
-    SMRG::internal::compute_arc_list<CGAL::Sequential_tag>(c.mesh, order, indices, states, {});
+    SMRG::internal::compute_arc_list<CGAL::Sequential_tag>(
+        c.mesh, order, indices, states, neighbors, {});
   };
   BOOST_CHECK_EXCEPTION(SMRG::internal::check_mesh_on_internal_error(c.mesh, indices, compute),
                         SMRG::Internal_error,
@@ -262,4 +265,31 @@ BOOST_AUTO_TEST_CASE(damaged_halfedge_structures_are_an_error)
     }
   }
   BOOST_TEST(number_of_errors > 0u);
+}
+
+// Debug or Release: an error, not a walk without end.
+BOOST_AUTO_TEST_CASE(other_faces_than_triangles_are_an_error)
+{
+  // with border; closed, a pyramid with one quadrangle; nothing but quadrangles
+  for (const std::vector<std::vector<std::size_t>>& faces :
+       {std::vector<std::vector<std::size_t>>{{0, 1, 3, 2}, {1, 0, 4}},
+        {{0, 1, 3, 2}, {1, 0, 4}, {3, 1, 4}, {2, 3, 4}, {0, 2, 4}},
+        {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {1, 5, 7, 3}, {3, 7, 6, 2}, {2, 6, 4, 0}}})
+  {
+    Case c(Index_mesh(), {});
+    std::vector<Vertex> corners;
+    for (int i = 0; i < 8; ++i) {
+      corners.push_back(c.mesh.add_vertex(Mesh::Point(i % 2, i / 2 % 2, i / 4)));
+      c.values[corners.back()] = i;
+    }
+    for (const std::vector<std::size_t>& face : faces) {
+      std::vector<Vertex> vertices;
+      for (const std::size_t i : face)
+        vertices.push_back(corners[i]);
+      BOOST_TEST_REQUIRE((c.mesh.add_face(vertices) != Mesh::null_face()));
+    }
+    Graph graph;
+    BOOST_CHECK_EXCEPTION(
+        SMRG::compute_Reeb_graph(c.mesh, c.values, graph), SMRG::Error, says("triangle"));
+  }
 }

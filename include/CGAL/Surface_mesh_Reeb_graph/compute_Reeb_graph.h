@@ -170,24 +170,26 @@ void compute_Reeb_graph(const TriangleMesh& tmesh,
 
   internal::check_concurrency_tag<ConcurrencyTag>();
   const auto vertex_index_map = CGAL::get_initialized_vertex_index_map(tmesh, np);
-  internal::Vertex_classification states(internal::index_bound(tmesh, vertex_index_map));
-  const auto order =
-      internal::classify_vertices<ConcurrencyTag>(tmesh, scalar_map, vertex_index_map, states);
-
   const bool collects_arc_vertices =
       internal::choose_own_parameter(np, internal::tags::collect_arc_vertices, false);
+  const bool has_vertex_arcs = has_vertex_arc_map || has_face_arc_map || collects_arc_vertices;
+  internal::Vertex_classification states(internal::index_bound(tmesh, vertex_index_map));
+  std::vector<internal::Monotone_neighbors<TriangleMesh>> neighbors;
+  const auto order = internal::classify_vertices<ConcurrencyTag>(
+      tmesh, scalar_map, vertex_index_map, states, has_vertex_arcs ? &neighbors : nullptr);
+
   const Reeb_graph_algorithm algorithm = choose_parameter(
       get_parameter(np, CGAL::internal_np::algorithm), Reeb_graph_algorithm::AUTOMATIC);
   internal::Reeb_graph_request request;
   request.unfolds =
       internal::choose_own_parameter(np, internal::tags::unfold_multiple_saddles, false);
-  request.has_vertex_arcs = has_vertex_arc_map || has_face_arc_map || collects_arc_vertices;
+  request.has_vertex_arcs = has_vertex_arcs;
   request.has_wedge_arcs = has_face_arc_map;
   request.may_cut = algorithm != Reeb_graph_algorithm::SWEEP;
   request.may_sweep = algorithm != Reeb_graph_algorithm::CUTTING;
   auto list = internal::check_mesh_on_internal_error(tmesh, vertex_index_map, [&]() {
     return internal::compute_arc_list<ConcurrencyTag>(
-        tmesh, order, vertex_index_map, states, request);
+        tmesh, order, vertex_index_map, states, neighbors, request);
   });
   if (order.has_plateaus())
     internal::cancel_zero_persistence_pairs(list, tmesh, vertex_index_map, order);

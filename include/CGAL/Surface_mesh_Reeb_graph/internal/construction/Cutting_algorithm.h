@@ -10,6 +10,7 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_CUTTING_ALGORITHM_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_CUTTING_ALGORITHM_H
 
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Arc_propagation.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Contour_forest.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_node_finder.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Critical_nodes.h>
@@ -39,6 +40,9 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
+// So many steps of walks per vertex take less time than the other way to find the arcs of vertices.
+constexpr std::size_t WALK_STEPS_FOR_ARCS = 8;
+
 // Computes the Reeb graph without sorting the vertices.
 //
 // 1. From every wedge of the critical vertices a monotone path leads to another critical vertex.
@@ -61,6 +65,7 @@ class Cutting_algorithm
   using Finder = Critical_node_finder<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Cuts = Loop_cuts<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Places = Vertex_assignment<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
+  using Propagation = Arc_propagation<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using Paths = Monotone_paths<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap>;
   using vertex_descriptor = typename Nodes::vertex_descriptor;
 
@@ -70,12 +75,14 @@ public:
                     VertexIndexMap vertex_index_map,
                     std::size_t index_bound,
                     const Vertex_classification& states,
+                    const std::vector<Monotone_neighbors<TriangleMesh>>& neighbors,
                     const Reeb_graph_request& request)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_vertex_index_map(vertex_index_map)
     , m_index_bound(index_bound)
     , m_states(states)
+    , m_neighbors(neighbors)
     , m_request(request)
   {}
 
@@ -92,13 +99,16 @@ public:
         [&]() { merge_sublevel_sets(m_nodes, sequence, m_sublevel_forest); },
         [&]() { merge_superlevel_sets(sequence); });
 
-    Cuts cuts(m_tmesh, m_order, m_nodes, ascents, m_states.has_border(), budget);
+    Cuts cuts(m_tmesh,
+              m_order,
+              m_nodes,
+              ascents,
+              m_states.has_border(),
+              m_request.has_vertex_arcs,
+              budget);
     const std::vector<std::uint32_t> may_have_loops = nodes_that_may_have_loops(ascents);
     if (!may_have_loops.empty() && !cuts.find_components(may_have_loops))
       return false;
-    Places places(m_tmesh, m_order, m_vertex_index_map, m_index_bound, m_nodes, cuts);
-    if (m_request.has_vertex_arcs)
-      places.follow_paths(descents, ascents);
     if (!may_have_loops.empty()) {
       Merge_forest forest; // the other one is needed without the cuts if there are none in the end
       if (!cuts.cut(may_have_loops, forest))
@@ -110,8 +120,7 @@ public:
         merge_superlevel_sets(sequence);
       }
     }
-    if (m_request.has_vertex_arcs)
-      places.find(sequence, m_sublevel_forest, m_superlevel_forest, descents, ascents);
+    Places places(m_order, m_nodes, cuts, sequence, m_sublevel_forest, m_superlevel_forest);
 
     m_number_below.resize(m_nodes.size());
     m_number_above.resize(m_nodes.size());
@@ -128,7 +137,9 @@ public:
     Contour_forest pruning(m_sublevel_forest, m_superlevel_forest);
     pruning.run(sequence,
                 [&](std::uint32_t node) { return !cuts.is_leaf(node) && is_regular(node); });
-    write(sequence, cuts, places, pruning, result);
+    const std::vector<std::uint32_t> arc_number = write(sequence, cuts, pruning, result);
+    if (m_request.has_vertex_arcs)
+      find_vertex_arcs(places, descents, ascents, pruning, arc_number, result);
     return true;
   }
 
@@ -143,13 +154,15 @@ private:
     return m_number_below[node] == 1 && m_number_above[node] == 1;
   }
 
+  // The arcs of vertices are spread from the wedges.
+  bool has_wedge_arcs() const { return m_request.has_wedge_arcs || m_request.has_vertex_arcs; }
+
   void merge_superlevel_sets(const std::vector<std::uint32_t>& sequence)
   {
     internal::merge_superlevel_sets(m_nodes,
                                     sequence,
                                     m_superlevel_forest,
-                                    m_request.has_wedge_arcs ? &m_component_of_upper_wedge
-                                                             : nullptr);
+                                    has_wedge_arcs() ? &m_component_of_upper_wedge : nullptr);
   }
 
   // Below which nodes two components of the level set may belong to the same component of the
@@ -209,12 +222,11 @@ private:
     return static_cast<std::size_t>(get(m_vertex_index_map, m_nodes.vertex[node]));
   }
 
-  // Numbers nodes and arcs.
-  void write(const std::vector<std::uint32_t>& sequence,
-             const Cuts& cuts,
-             const Places& places,
-             Contour_forest& pruning,
-             Arc_list<TriangleMesh>& result) const
+  // Numbers nodes and arcs, and returns the numbers of the arcs of the contour forest.
+  std::vector<std::uint32_t> write(const std::vector<std::uint32_t>& sequence,
+                                   const Cuts& cuts,
+                                   const Contour_forest& pruning,
+                                   Arc_list<TriangleMesh>& result) const
   {
     std::vector<std::uint32_t> number(m_nodes.size(), no_node);
     std::vector<std::uint32_t> first_arc; // by number, one more than there are nodes
@@ -241,18 +253,7 @@ private:
 
     CGAL_assertion(result.are_arcs_upward());
 
-    if (m_request.has_vertex_arcs) {
-      result.arc_of_vertex.assign(m_index_bound, no_arc);
-      for (std::size_t i = 0; i < m_index_bound; ++i) {
-        if (places.node_below[i] == no_node)
-          continue;
-        const std::uint32_t arc = pruning.arc(places.node_below[i], places.node_above[i]);
-        if (arc != no_arc) // of the vertices of nodes it does not matter
-          result.arc_of_vertex[i] = arc_number[arc];
-      }
-      result.set_arcs_of_nodes(m_vertex_index_map);
-    }
-    if (m_request.has_wedge_arcs) {
+    if (has_wedge_arcs()) {
       for (const std::uint32_t node : sequence) {
         if (cuts.is_leaf(node) || is_regular(node) ||
             (m_number_above[node] < 2 && !m_nodes.is_unfolded(node)))
@@ -264,6 +265,34 @@ private:
                  first_arc[number[node]] + m_component_of_upper_wedge[w]});
       }
     }
+    return arc_number;
+  }
+
+  // Finds the arcs of the vertices: from their neighbors where these tell, otherwise by the places of
+  // the vertices in both forests.
+  void find_vertex_arcs(Places& places,
+                        Paths& descents,
+                        Paths& ascents,
+                        Contour_forest& pruning,
+                        const std::vector<std::uint32_t>& arc_number,
+                        Arc_list<TriangleMesh>& result) const
+  {
+    Propagation propagation(
+        m_tmesh, m_order, m_vertex_index_map, m_neighbors, m_states.has_border(), result);
+    const std::vector<vertex_descriptor> left =
+        propagation.run(WALK_STEPS_FOR_ARCS * m_index_bound);
+    if (!left.empty()) {
+      places.find(left, descents, ascents);
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        const std::uint32_t arc = pruning.arc(places.node_below[i], places.node_above[i]);
+        CGAL_assertion(arc != no_arc);
+        propagation.set_arc(left[i], arc_number[arc]);
+      }
+    }
+    result.arc_of_vertex.resize(m_index_bound);
+    for (std::size_t i = 0; i < m_index_bound; ++i)
+      result.arc_of_vertex[i] = propagation.arc(i);
+    result.set_arcs_of_nodes(m_vertex_index_map);
   }
 
   const TriangleMesh& m_tmesh;
@@ -271,6 +300,7 @@ private:
   VertexIndexMap m_vertex_index_map;
   const std::size_t m_index_bound;
   const Vertex_classification& m_states;
+  const std::vector<Monotone_neighbors<TriangleMesh>>& m_neighbors; // for the arcs of vertices
   const Reeb_graph_request m_request;
   Nodes m_nodes;
   Merge_forest m_sublevel_forest, m_superlevel_forest;

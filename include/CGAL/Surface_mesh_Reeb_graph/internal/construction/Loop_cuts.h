@@ -63,12 +63,14 @@ public:
             const Nodes& nodes,
             const Paths& ascents,
             bool has_border,
+            bool cuts_later_paths,
             std::size_t budget)
     : m_tmesh(tmesh)
     , m_order(order)
     , m_nodes(nodes)
     , m_ascents(ascents)
-    , m_cutter(tmesh, nodes, ascents)
+    , m_cuts_later_paths(cuts_later_paths)
+    , m_cutter(tmesh, nodes, ascents, cuts_later_paths)
     , m_finder(tmesh, order, nodes, has_border)
     , m_budget(static_cast<std::int64_t>(
           (std::min)(budget, std::size_t((std::numeric_limits<std::int64_t>::max)() / 2))))
@@ -115,7 +117,8 @@ public:
     return saddles[leaf - m_nodes.size()];
   }
 
-  // The cuts of upward paths, which are handed over.
+  // The cuts of upward paths, which are handed over. With `cuts_later_paths`, those of ways that no
+  // path has taken yet are there, too.
   std::vector<typename Paths::Cut> take_cuts() { return std::move(m_cutter.cuts); }
 
   std::vector<std::uint32_t> sequence; // of all nodes, the leaves included
@@ -233,7 +236,7 @@ private:
   CGAL_REEB_GRAPH_COLD void walk_along_cuts()
   {
     for_each_range<ConcurrencyTag>(m_cut_walks.size(), [&](std::size_t begin, std::size_t end) {
-      Cutter cutter(m_tmesh, m_nodes, m_ascents);
+      Cutter cutter(m_tmesh, m_nodes, m_ascents, m_cuts_later_paths);
       for (std::size_t i = begin; i < end; ++i) {
         Walk walk = m_cut_walks[i].walk;
         const vertex_descriptor saddle = m_nodes.vertex[saddle_of_leaf(m_cut_walks[i].leaf)];
@@ -270,6 +273,7 @@ private:
   const VertexOrder& m_order;
   const Nodes& m_nodes;
   const Paths& m_ascents;
+  const bool m_cuts_later_paths;
   Cutter m_cutter;
   Finder m_finder;
   std::int64_t m_budget;

@@ -35,7 +35,7 @@ namespace internal {
 // Monotone paths along the edges of the mesh, down or up to the first vertex that is given as a
 // node, or up to a cut. Every vertex that a path passes is marked with it, and paths that come
 // later end in it there, so all paths together take a step per vertex or little more. Cuts may be
-// made when the paths are known. Paths may be followed by several threads at once: where a path
+// made when paths are known, and hold for later ones, too. Paths may be followed by several threads at once: where a path
 // leads does not depend on who passes first.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
 class Monotone_paths
@@ -46,10 +46,10 @@ class Monotone_paths
 
 public:
   // The place of a cut on a path: above the vertex `below`, where ways up end in the node `leaf`
-  // then.
+  // then. Or on the way out of a vertex that no path has passed, for those that come later.
   struct Cut
   {
-    std::uint32_t path;
+    std::uint32_t path; // no_path for later ones
     std::uint32_t leaf; // higher cuts have larger numbers
     vertex_descriptor below;
   };
@@ -85,6 +85,8 @@ public:
       follow_range(first, begin, end, starts);
     });
     m_tails.clear();
+    if (!m_later_cuts.empty())
+      find_paths_of_cuts();
   }
 
   // The node at which a path ends from its start on, and from a vertex on that a path has passed
@@ -108,11 +110,11 @@ public:
     return w == no_way || is_node(w) ? no_path : w - m_number_of_nodes;
   }
 
-  // The edge through which the path that has passed a vertex goes on, as a halfedge that points to
-  // the vertex.
+  // The edge through which paths that pass a vertex go on, as a halfedge that points to the vertex.
+  // That must be no node.
   halfedge_descriptor way_out(vertex_descriptor v) const
   {
-    CGAL_precondition(path_through(v) != no_path);
+    CGAL_precondition(node_at(v) == no_node);
     halfedge_descriptor h = halfedge(v, m_tmesh);
     while (!is_on_side(source(h, m_tmesh), v))
       h = next_edge(h);
@@ -123,16 +125,8 @@ public:
   void set_cuts(std::vector<Cut>&& cuts)
   {
     CGAL_precondition(m_side == ABOVE);
-    m_cuts = std::move(cuts);
-    CGAL_assertion_code(for (const Cut& cut
-                             : m_cuts))
-        CGAL_assertion(cut.path < m_paths.size() && cut.leaf >= m_number_of_nodes);
-    std::sort(m_cuts.begin(), m_cuts.end(), [this](const Cut& a, const Cut& b) {
-      if (a.path != b.path)
-        return a.path < b.path;
-      return a.below != b.below ? m_order(a.below, b.below) : a.leaf < b.leaf;
-    });
-    m_tails.clear();
+    m_later_cuts = std::move(cuts);
+    find_paths_of_cuts();
   }
 
   // Finds all ends, so that those that are asked for afterwards are only looked up: by several
@@ -273,6 +267,29 @@ private:
     return other - 1;
   }
 
+  // ---- cuts
+
+  void find_paths_of_cuts()
+  {
+    for (Cut& cut : m_later_cuts)
+      if (cut.path == no_path)
+        cut.path = path_through(cut.below);
+    const auto found = std::partition(m_later_cuts.begin(), m_later_cuts.end(), [](const Cut& cut) {
+      return cut.path == no_path;
+    });
+    m_cuts.insert(m_cuts.end(), found, m_later_cuts.end());
+    m_later_cuts.erase(found, m_later_cuts.end());
+    CGAL_assertion_code(for (const Cut& cut
+                             : m_cuts))
+        CGAL_assertion(cut.path < m_paths.size() && cut.leaf >= m_number_of_nodes);
+    std::sort(m_cuts.begin(), m_cuts.end(), [this](const Cut& a, const Cut& b) {
+      if (a.path != b.path)
+        return a.path < b.path;
+      return a.below != b.below ? m_order(a.below, b.below) : a.leaf < b.leaf;
+    });
+    m_tails.clear();
+  }
+
   // ---- ends
 
   bool is_on(Cut_iterator cut, std::uint32_t path) const
@@ -337,7 +354,8 @@ private:
   std::uint32_t m_number_of_nodes = 0;
   std::vector<std::atomic<std::uint32_t>> m_way; // plus 1, by vertex index; 0 if there is none
   std::vector<Path> m_paths;
-  std::vector<Cut> m_cuts; // by path, from below
+  std::vector<Cut> m_cuts;       // by path, from below
+  std::vector<Cut> m_later_cuts; // of no path, so far
   std::vector<std::uint32_t> m_tails, m_waiting;
 };
 

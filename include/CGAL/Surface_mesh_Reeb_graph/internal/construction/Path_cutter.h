@@ -25,9 +25,9 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-// Finds where cuts of the surface cut the upward paths from the wedges of the critical nodes. What
-// is known of a vertex is kept for the next edge: a cut crosses many edges of the same vertex one
-// after the other.
+// Finds where cuts of the surface cut the upward paths from the wedges of the critical nodes, and on
+// demand all ways up that paths may take later. What is known of a vertex is kept for the next edge:
+// a cut crosses many edges of the same vertex one after the other.
 template <class TriangleMesh, class Nodes, class Paths>
 class Path_cutter
 {
@@ -38,8 +38,11 @@ class Path_cutter
 public:
   using Cut = typename Paths::Cut;
 
-  Path_cutter(const TriangleMesh& tmesh, const Nodes& nodes, const Paths& ascents)
-    : m_tmesh(tmesh), m_nodes(nodes), m_ascents(ascents)
+  Path_cutter(const TriangleMesh& tmesh,
+              const Nodes& nodes,
+              const Paths& ascents,
+              bool cuts_later_paths)
+    : m_tmesh(tmesh), m_nodes(nodes), m_ascents(ascents), m_cuts_later_paths(cuts_later_paths)
   {}
 
   // Cuts what goes up through an edge that a cut crosses, which most edges do not matter for; `h`
@@ -50,7 +53,7 @@ public:
     CGAL_precondition(m_nodes.size() <= leaf);
     if (!m_has_vertex || v != m_vertex)
       set_vertex(v);
-    if (m_path != Paths::no_path) {
+    if (m_has_way_out) {
       if (m_way_out == h)
         cuts.push_back({m_path, leaf, v});
     } else if (!m_path_through_edge.empty()) {
@@ -70,11 +73,10 @@ private:
     if (!m_path_through_edge.empty())
       m_path_through_edge.clear();
     m_path = m_ascents.path_through(v);
-    if (m_path != Paths::no_path) {
-      m_way_out = m_ascents.way_out(v);
-      return;
-    }
     const std::uint32_t node_at_v = m_ascents.node_at(v);
+    m_has_way_out = node_at_v == no_node && (m_path != Paths::no_path || m_cuts_later_paths);
+    if (m_has_way_out)
+      m_way_out = m_ascents.way_out(v);
     if (node_at_v == no_node)
       return;
     // the first edges of wedges
@@ -89,7 +91,8 @@ private:
   const TriangleMesh& m_tmesh;
   const Nodes& m_nodes;
   const Paths& m_ascents;
-  bool m_has_vertex = false;
+  const bool m_cuts_later_paths;
+  bool m_has_vertex = false, m_has_way_out = false;
   vertex_descriptor m_vertex;
   std::uint32_t m_path = Paths::no_path;
   halfedge_descriptor m_way_out;

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/check_mesh.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/sorted_vertices.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/upper_wedge.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/throw_internal_error.h>
 
 #include <CGAL/assertions.h>
@@ -50,18 +51,19 @@ Vertex_order<TriangleMesh, VertexScalarMap, VertexIndexMap>
 classify_vertices(const TriangleMesh& tmesh,
                   VertexScalarMap scalar_map,
                   VertexIndexMap vertex_index_map,
-                  Vertex_classification& states)
+                  Vertex_classification& states,
+                  std::vector<Monotone_neighbors<TriangleMesh>>* neighbors)
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Order = Vertex_order<TriangleMesh, VertexScalarMap, VertexIndexMap>;
 
   const bool has_no_plateaus = states.classify<ConcurrencyTag>(
-      tmesh, vertex_index_map, [&](vertex_descriptor v) { return get(scalar_map, v); });
+      tmesh, vertex_index_map, [&](vertex_descriptor v) { return get(scalar_map, v); }, neighbors);
   if (has_no_plateaus && !states.has_faceless_edges())
     return Order(scalar_map, vertex_index_map, No_plateaus());
   Order order(tmesh, scalar_map, vertex_index_map);
   if (!states.classify<ConcurrencyTag>(
-          tmesh, vertex_index_map, [&](vertex_descriptor v) { return order.key(v); }))
+          tmesh, vertex_index_map, [&](vertex_descriptor v) { return order.key(v); }, neighbors))
   {
     check_mesh(tmesh, vertex_index_map);
     throw Input_error("the mesh has a face with the same vertex twice");
@@ -72,11 +74,13 @@ classify_vertices(const TriangleMesh& tmesh,
 // Computes the Reeb graph as lists, by cutting if the walks do not take too long, or else by a
 // sweep.
 template <class ConcurrencyTag, class TriangleMesh, class VertexOrder, class VertexIndexMap>
-Arc_list<TriangleMesh> compute_arc_list(const TriangleMesh& tmesh,
-                                        const VertexOrder& order,
-                                        VertexIndexMap vertex_index_map,
-                                        const Vertex_classification& states,
-                                        const Reeb_graph_request& request)
+Arc_list<TriangleMesh>
+compute_arc_list(const TriangleMesh& tmesh,
+                 const VertexOrder& order,
+                 VertexIndexMap vertex_index_map,
+                 const Vertex_classification& states,
+                 const std::vector<Monotone_neighbors<TriangleMesh>>& neighbors,
+                 const Reeb_graph_request& request)
 {
   CGAL_precondition(request.may_cut || request.may_sweep);
   const std::size_t index_bound = states.index_bound();
@@ -85,7 +89,7 @@ Arc_list<TriangleMesh> compute_arc_list(const TriangleMesh& tmesh,
         request.may_sweep ? WALK_STEPS_PER_VERTEX * index_bound : UNLIMITED_WALK_STEPS;
     Arc_list<TriangleMesh> result;
     Cutting_algorithm<ConcurrencyTag, TriangleMesh, VertexOrder, VertexIndexMap> cutting(
-        tmesh, order, vertex_index_map, index_bound, states, request);
+        tmesh, order, vertex_index_map, index_bound, states, neighbors, request);
     if (cutting.run(budget, result))
       return result;
     if (!request.may_sweep)
@@ -109,7 +113,13 @@ auto vertices_of_arcs(const Arc_list<TriangleMesh>& list,
 {
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  std::vector<std::size_t> size(list.arcs.size(), 0);
+  for (const std::uint32_t arc : list.arc_of_vertex)
+    if (arc != no_arc)
+      ++size[arc];
   std::vector<std::vector<vertex_descriptor>> result(list.arcs.size());
+  for (std::size_t a = 0; a < result.size(); ++a)
+    result[a].reserve(size[a]);
   for (const vertex_descriptor v : sorted_vertices<ConcurrencyTag>(tmesh, order)) {
     const std::uint32_t arc = list.arc_of_vertex[get(vertex_index_map, v)];
     if (arc != no_arc)
@@ -141,24 +151,9 @@ void write_face_arcs(const Arc_list<TriangleMesh>& list,
       if (!is_border(h, tmesh) && middle_vertex(face(h, tmesh), tmesh, order) == v)
         put(face_arc_map, face(h, tmesh), static_cast<Number>(wedge.arc));
     };
-    // from the edge of the wedge in both directions; once around if there is nothing else
-    const auto follow = [&](const auto& next_edge) {
-      halfedge_descriptor h = wedge.halfedge;
-      std::size_t number_of_steps = 0;
-      do {
-        check_walk(++number_of_steps, tmesh);
-        write(h);
-        write(opposite(h, tmesh));
-        h = next_edge(h);
-      } while (h != Graph_traits::null_halfedge() && h != wedge.halfedge &&
-               order(v, source(h, tmesh)));
-    };
-    follow([&](halfedge_descriptor h) {
-      return is_border(h, tmesh) ? Graph_traits::null_halfedge() : opposite(next(h, tmesh), tmesh);
-    });
-    follow([&](halfedge_descriptor h) {
-      return is_border(opposite(h, tmesh), tmesh) ? Graph_traits::null_halfedge()
-                                                  : prev(opposite(h, tmesh), tmesh);
+    for_each_edge_of_upper_wedge(wedge.halfedge, tmesh, order, [&](halfedge_descriptor h) {
+      write(h);
+      write(opposite(h, tmesh));
     });
   }
 }

@@ -23,11 +23,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
+
+// A neighbor of a vertex that is lower and one that is higher; null if they are not known.
+template <class TriangleMesh>
+struct Monotone_neighbors
+{
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+
+  typename Graph_traits::vertex_descriptor below = Graph_traits::null_vertex();
+  typename Graph_traits::vertex_descriptor above = Graph_traits::null_vertex();
+};
 
 // What one pass over the faces tells of every vertex, in a byte: of how many faces it is the middle
 // vertex, up to a bound, and whether it lies on the border. A vertex in the interior is regular if
@@ -41,14 +52,24 @@ public:
   std::size_t index_bound() const { return m_states.size(); }
 
   // Makes the pass. `key(v)` gives what vertices are compared by. Returns false if the keys of a
-  // face are not distinct; the states mean nothing then.
+  // face are not distinct; the states mean nothing then. If there is a place for them, by vertex
+  // index, the neighbors below and above are found for all vertices that are the middle ones of a
+  // face.
   template <class ConcurrencyTag, class TriangleMesh, class VertexIndexMap, class Key>
-  bool classify(const TriangleMesh& tmesh, VertexIndexMap vertex_index_map, const Key& key)
+  bool classify(const TriangleMesh& tmesh,
+                VertexIndexMap vertex_index_map,
+                const Key& key,
+                std::vector<Monotone_neighbors<TriangleMesh>>* neighbors = nullptr)
   {
+    using Neighbors = Monotone_neighbors<TriangleMesh>;
+
     std::fill(m_states.begin(), m_states.end(), std::uint8_t(0));
+    if (neighbors != nullptr)
+      neighbors->assign(m_states.size(), Neighbors());
     m_has_border = m_has_faceless_edges = false;
     const auto range = faces(tmesh);
     std::vector<Part> parts(number_of_parts<ConcurrencyTag>(m_states.size()));
+    std::vector<std::vector<Neighbors>> neighbors_of_part(parts.size());
     const std::size_t number_of_faces =
         static_cast<std::size_t>(std::distance(range.begin(), range.end()));
     for_each_part<ConcurrencyTag>(parts.size(), [&](std::size_t p) {
@@ -57,14 +78,28 @@ public:
         part.states.assign(m_states.size(), 0);
       const std::size_t begin = number_of_faces * p / parts.size(),
                         end = number_of_faces * (p + 1) / parts.size();
-      pass(tmesh,
-           std::next(range.begin(), static_cast<std::ptrdiff_t>(begin)),
-           end - begin,
-           vertex_index_map,
-           key,
-           part,
-           p > 0 ? part.states : m_states);
+      const auto pass_over = [&](auto* neighbors_found) {
+        pass(tmesh,
+             std::next(range.begin(), static_cast<std::ptrdiff_t>(begin)),
+             end - begin,
+             vertex_index_map,
+             key,
+             part,
+             p > 0 ? part.states : m_states,
+             neighbors_found);
+      };
+      if (neighbors == nullptr) {
+        pass_over(static_cast<No_neighbors*>(nullptr));
+        return;
+      }
+      if (p > 0)
+        neighbors_of_part[p].assign(m_states.size(), Neighbors());
+      pass_over(p > 0 ? &neighbors_of_part[p] : neighbors);
     });
+    for (std::size_t p = 1; p < parts.size(); ++p)
+      for (std::size_t i = 0; i < neighbors_of_part[p].size(); ++i)
+        if ((*neighbors)[i].below == boost::graph_traits<TriangleMesh>::null_vertex())
+          (*neighbors)[i] = neighbors_of_part[p][i];
 
     bool have_three_edges = true;
     std::size_t number_of_rising_halfedges = 0;
@@ -119,6 +154,10 @@ public:
 private:
   enum : std::uint8_t { LARGEST_NUMBER = 15, BORDER = 16, PINCHED = 32 };
 
+  struct No_neighbors // are wanted
+  {
+  };
+
   struct Part
   {
     std::vector<std::uint8_t> states;
@@ -141,16 +180,26 @@ private:
   // Goes over `number` faces from `face` on, a few at a time: their middle vertices first, which
   // depend on nothing but the mesh, and then the counts, of which neighboring faces often share one
   // (each would depend on the one before).
-  template <class TriangleMesh, class FaceIterator, class VertexIndexMap, class Key>
+  template <class TriangleMesh,
+            class FaceIterator,
+            class VertexIndexMap,
+            class Key,
+            class NeighborTable>
   static void pass(const TriangleMesh& tmesh,
                    FaceIterator face,
                    std::size_t number,
                    VertexIndexMap vertex_index_map,
                    const Key& key,
                    Part& part,
-                   std::vector<std::uint8_t>& states)
+                   std::vector<std::uint8_t>& states,
+                   NeighborTable* neighbors)
   {
-    std::array<std::size_t, 16> middle;
+    constexpr bool has_neighbors = !std::is_same<NeighborTable, No_neighbors>::value;
+    using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+    constexpr std::size_t few = 16;
+    std::array<std::size_t, few> middle;
+    [[maybe_unused]] std::array<vertex_descriptor, few> lowest, highest;
     // numbers in the place of truth values: no branches, which could not be predicted where the
     // function is noisy
     unsigned have_three_edges = 1;
@@ -172,11 +221,22 @@ private:
         // of the three comparisons two agree; the middle vertex takes part in both
         const std::size_t other = b == c ? i2 : i0;
         middle[i] = a == b ? i1 : other;
+        if constexpr (has_neighbors) {
+          // by the comparisons: which corner is the lowest, and which one the highest
+          constexpr std::array<std::uint8_t, 8> lowest_corner = {0, 0, 1, 0, 2, 2, 1, 0};
+          constexpr std::array<std::uint8_t, 8> highest_corner = {0, 1, 2, 2, 0, 1, 0, 0};
+          const std::array<vertex_descriptor, 3> corners = {v0, v1, v2};
+          const unsigned comparisons = a + 2 * b + 4 * c;
+          lowest[i] = corners[lowest_corner[comparisons]];
+          highest[i] = corners[highest_corner[comparisons]];
+        }
       }
       part.number_of_rising_halfedges += number_of_rising_halfedges;
       for (std::size_t i = 0; i < size; ++i) {
         std::uint8_t& state = states[middle[i]];
         state = static_cast<std::uint8_t>(state + unsigned(state != LARGEST_NUMBER));
+        if constexpr (has_neighbors)
+          (*neighbors)[middle[i]] = {lowest[i], highest[i]};
       }
     }
     part.have_three_edges = have_three_edges != 0;
