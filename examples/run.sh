@@ -22,7 +22,9 @@ fi
 
 start_log "$root/build/examples_run.log"
 install_missing g++ cmake make libcgal-dev libeigen3-dev libboost-dev \
-  libboost-graph-dev libboost-program-options-dev nlohmann-json3-dev
+  libboost-graph-dev libboost-program-options-dev nlohmann-json3-dev zlib1g-dev
+# For the page (23 MB). The tool is built without it, too.
+install_missing npm 2> /dev/null || true
 options=(--simplify 0.1)
 if [ "$#" -ge 1 ]; then
   mesh=$1
@@ -47,6 +49,7 @@ mkdir -p reeb_graph_output
 name=${mesh##*/}
 prefix=reeb_graph_output/${name%.*}
 tool=$root/build/release/examples/Surface_mesh_Reeb_graph/reeb_graph
+rm -f "$prefix.html" # of a tool that had the page
 "$tool" "$mesh" --output "$prefix" "${options[@]}"
 
 cat <<END
@@ -61,3 +64,10 @@ Files, and what opens them:
 
 The tool: $tool (--help shows its options)
 END
+if [ -e "$prefix.html" ]; then
+  cat <<END
+
+To see mesh, function and graph, open this page in a web browser:
+  $(realpath "$prefix.html")
+END
+fi

@@ -2,11 +2,13 @@
 
 #include "reeb_graph_tool/compute_function.h"
 #include "reeb_graph_tool/input.h"
+#include "reeb_graph_tool/make_page.h"
 #include "reeb_graph_tool/options.h"
 #include "reeb_graph_tool/output.h"
 #include "reeb_graph_tool/progress.h"
 #include "reeb_graph_tool/report.h"
 #include "reeb_graph_tool/types.h"
+#include "reeb_graph_tool/write_page.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/IO/persistence_diagram.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
@@ -19,6 +21,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -29,6 +32,20 @@ Mesh_input_options input_options(const Options& options)
   Mesh_input_options result = options.input;
   result.property = options.values_property.empty() ? options.values_file : options.values_property;
   return result;
+}
+
+void write_pages(const Options& options,
+                 const Result& result,
+                 const Finest_graph& finest,
+                 Progress& progress)
+{
+  progress.say("writing the page");
+  const Page page = make_page(options, result, finest, progress);
+  const auto write = [&](std::ostream& out) { write_page(out, page); };
+  if (!options.html.empty())
+    write_file(options.html, write, std::ios::out | std::ios::binary);
+  if (!options.output.empty())
+    write_file(options.output + ".html", write, std::ios::out | std::ios::binary);
 }
 
 void run(const Options& options, Result& result)
@@ -65,6 +82,10 @@ void run(const Options& options, Result& result)
     SMRG::IO::write_persistence_diagram(diagram, result.graph);
     result.diagram = diagram.str();
   }
+  const bool wants_page = has_page() && !(options.output.empty() && options.html.empty());
+  std::optional<Finest_graph> finest;
+  if (wants_page && !is_simplified_before_levels(options))
+    finest = finest_graph(result);
   timed(result.seconds.simplify, progress, "simplifying the Reeb graph", [&]() {
     SMRG::simplify_Reeb_graph(result.mesh,
                               result.values,
@@ -80,6 +101,8 @@ void run(const Options& options, Result& result)
       write_results(result, options.output);
     if (!options.diagram.empty())
       write_file(options.diagram, [&](std::ostream& out) { out << result.diagram; });
+    if (wants_page)
+      write_pages(options, result, finest ? *finest : finest_graph(result), progress);
   });
 }
 
@@ -92,12 +115,16 @@ int main_or_throw(int argc, char* argv[], Options& options)
   } catch (const boost::program_options::error& error) {
     throw Usage_error(error.what());
   }
+  if (!options.html.empty() && !has_page())
+    throw Usage_error(std::string("--html: ") + how_to_get_page);
   Result result;
   run(options, result);
   if (options.json)
     print_json(std::cout, result);
   else
     print_text(std::cout, options, result);
+  if (!options.json && !options.output.empty() && !has_page())
+    std::cout << "Note: " << options.output << ".html is not written; " << how_to_get_page << '\n';
   std::cout.flush();
   if (!std::cout)
     throw File_error("standard output", "could not be written");

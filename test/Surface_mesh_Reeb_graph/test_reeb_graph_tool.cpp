@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
   std::vector<std::string> keys, seconds;
   for (const auto& item : j.items())
     keys.push_back(item.key());
-  std::vector<std::string> expected = {"vertices",
+  std::vector<std::string> expected = {"version",
+                                       "vertices",
                                        "faces",
                                        "components",
                                        "nodes",
@@ -86,6 +87,25 @@ BOOST_AUTO_TEST_CASE(json_report_has_exactly_the_documented_keys)
   for (const auto& v : j["feature_points"])
     BOOST_TEST(v.get<std::size_t>() < 288u);
   BOOST_TEST(j["seconds"]["eigenbasis"].is_number());
+}
+
+// Without npm the tool has no page, and says how to get it.
+BOOST_AUTO_TEST_CASE(page)
+{
+  const Folder folder;
+  const std::string mesh = "'" + folder.write("mesh.off", sphere(1)) + "' --function height ";
+  const std::string html = " --html '" + folder.file("x.html") + "'";
+  const Run output = run(folder, mesh + "--output '" + folder.file("y") + "'");
+  BOOST_TEST(output.status == 0);
+  const bool has_page = std::filesystem::exists(folder.file("y.html"));
+  BOOST_TEST(has_page == (output.out.find("y.html is not written") == std::string::npos));
+  if (!has_page) {
+    check_usage_error(folder, mesh + html, {"--html", "npm"});
+    return;
+  }
+  report(folder, mesh + html);
+  BOOST_TEST(content(folder.file("x.html")).rfind("<!DOCTYPE html>", 0) == 0u);
+  check_error(folder, mesh + "--html '" + folder.file("no/such/z.html") + "'", {"z.html"});
 }
 
 BOOST_AUTO_TEST_CASE(reads_all_formats)

@@ -11,6 +11,7 @@
 
 // after random_meshes.h: Boost's disjoint sets do not compile after its readers of graphs
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/output.h"
+#include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/progress.h"
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/report.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
@@ -90,4 +91,23 @@ BOOST_AUTO_TEST_CASE(global_locale_that_groups_digits)
     BOOST_TEST((files.at(file.first) == file.second), file.first << " depends on the locale");
   BOOST_TEST(report().first == expected_report.first);
   BOOST_TEST(report().second == expected_report.second);
+}
+
+BOOST_AUTO_TEST_CASE(report_has_a_version)
+{
+  std::ostringstream out;
+  print_json(out, Result());
+  BOOST_TEST(nlohmann::json::parse(out.str()).at("version") == 1);
+}
+
+BOOST_AUTO_TEST_CASE(time_that_is_left)
+{
+  BOOST_TEST(time_left(10, 0.5) == ", 10 s left");
+  BOOST_TEST(time_left(10, 0.25) == ", 30 s left");
+  BOOST_TEST(time_left(60, 0.25) == ", 3 min left");
+  BOOST_TEST(time_left(3600, 0.25) == ", 3 h left");
+  BOOST_TEST(time_left(10, 1) == ", 0 s left");
+  BOOST_TEST(time_left(10, 0) == "");     // nothing is known
+  BOOST_TEST(time_left(0.1, 0.01) == ""); // nor yet
+  BOOST_TEST(time_left(10, 1e-300) == "");
 }

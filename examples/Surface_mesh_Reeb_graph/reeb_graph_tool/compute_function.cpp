@@ -249,7 +249,11 @@ void compute_function(const Options& options, Result& result, Progress& progress
         std::make_unique<Eigenbasis>(result.mesh,
                                      SMRG::parameters::number_of_eigenpairs(number_of_eigenpairs)
                                          .residual_tolerance(options.residual_tolerance)
-                                         .accept_converged_part(true));
+                                         .accept_converged_part(true)
+                                         .callback([&progress](double part) {
+                                           progress.say_part(part);
+                                           return true;
+                                         }));
   });
   check_components(*basis, result);
   for (std::size_t c = 0; c < basis->number_of_components(); ++c) {

@@ -59,10 +59,14 @@ inline std::size_t number_of_loops(const Result& result)
   return num_edges(result.graph) + result.number_of_components - num_vertices(result.graph);
 }
 
+// Grows when a program that reads the report has to know of a change.
+constexpr int version_of_report = 1;
+
 inline void print_json(std::ostream& out, const Result& result)
 {
   const Node_counts counts = count_nodes(result.graph);
   nlohmann::ordered_json report;
+  report["version"] = version_of_report;
   report["vertices"] = result.mesh.number_of_vertices();
   report["faces"] = result.mesh.number_of_faces();
   report["components"] = result.number_of_components;

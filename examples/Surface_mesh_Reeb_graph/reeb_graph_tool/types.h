@@ -55,6 +55,7 @@ struct Options
   double large_time = 20;
   std::string output;  // empty: no files are written
   std::string diagram; // empty: it is not written
+  std::string html;    // empty, too
   bool json = false;
 
   bool has_values() const { return !values_file.empty() || !values_property.empty(); }
