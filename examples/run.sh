@@ -57,7 +57,8 @@ cat <<END
 Files, and what opens them:
   $prefix.ply            the mesh, colored by the function    MeshLab, Blender
   $prefix.vtp            the mesh, its values and arcs        ParaView
-  $prefix.polylines.txt  the arcs in space                    CGAL Polyhedron demo
+  $prefix.polylines.txt  the skeleton                         CGAL Polyhedron demo
+  $prefix.swc            the same, if there are no loops      navis, skeletor, neuTube
   $prefix.graphml        the graph                            Gephi, yEd
   $prefix.dot            the graph                            Graphviz: dot -Tsvg $prefix.dot > $prefix.svg
   $prefix.values.txt     the function, a value per vertex     the tool: --values $prefix.values.txt

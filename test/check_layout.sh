@@ -31,14 +31,15 @@ declare -A earlier_rooms=(
   [construction]="util mesh graph"
   [persistence]="util mesh graph"
   [simplification]="util mesh graph construction persistence"
+  [skeleton]="util mesh graph construction"
   [comparison]="util mesh graph"
   [cholesky]="util"
   [spectral]="util mesh cholesky"
 )
 
-# User headers with nothing but types that every room may know; and the default direct solver, which
-# belongs to cholesky/.
-common_headers="Eigenpairs|Eigensolver_options|Reeb_graph|Supernodal_Cholesky|Vertex_order|exceptions|parameters"
+# User headers with nothing but types that every room may know; and those that belong to a room
+# themselves: the default direct solver to cholesky/, the level sets to mesh/.
+common_headers="Eigenpairs|Eigensolver_options|Level_set_components|Reeb_graph|Supernodal_Cholesky|Vertex_order|exceptions|parameters"
 
 unknown=""
 for folder in "$package"/internal/*/; do

@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_Reeb_graph/IO/persistence_diagram.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
+#include <CGAL/Surface_mesh_Reeb_graph/compute_curve_skeleton.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 
 #include <boost/graph/connected_components.hpp>
@@ -96,6 +97,10 @@ void run(const Options& options, Result& result)
                                   .loop_persistence_threshold(options.close_loops)
                                   .number_of_leaves(options.leaves));
   });
+  if (!options.output.empty() || wants_page)
+    timed(result.seconds.skeleton, progress, "computing the skeleton", [&]() {
+      SMRG::compute_curve_skeleton(result.mesh, result.values, result.graph, result.skeleton);
+    });
   timed(result.seconds.write, progress, "writing the results", [&]() {
     if (!options.output.empty())
       write_results(result, options.output);

@@ -14,7 +14,8 @@
 /// Includes the headers for Reeb graphs of functions that are at hand: to compute and simplify them,
 /// their persistence, level sets, and files. Every one of these headers also suffices alone for what
 /// it documents. The spectral half of the package, which takes much longer to compile, is in
-/// Surface_mesh_Reeb_graph/spectral.h.
+/// Surface_mesh_Reeb_graph/spectral.h; curve skeletons, which take \cgal's AABB tree, are in
+/// Surface_mesh_Reeb_graph/compute_curve_skeleton.h.
 
 #include <CGAL/Surface_mesh_Reeb_graph/IO/GraphML.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/Graphviz.h>

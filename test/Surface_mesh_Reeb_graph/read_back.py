@@ -160,11 +160,18 @@ def main(tool):
     ends = sorted(tuple(sorted(int(nodes[n]['mesh_vertex']) for n in e[:2])) for e in edges)
     assert ends == sorted(tuple(sorted(int(dot_nodes[n]) for n in e)) for e in dot_edges)
 
-    lines = []
-    for line in polylines:
+    # a line for every arc, from node to node: extrema are where their vertices are, and a node that
+    # several arcs share is one point
+    places = {}
+    assert len(polylines) == len(edges)
+    for line, edge in zip(polylines, edges):
         assert len(line) == 1 + 3 * line[0]
-        lines.append(tuple(sorted(points.index(tuple(line[i:i + 3])) for i in (1, len(line) - 3))))
-    assert sorted(lines) == ends
+        lower, upper = sorted(edge[:2], key=lambda n: float(nodes[n]['value']))
+        for n, i in ((lower, 1), (upper, len(line) - 3)):
+            place = tuple(line[i:i + 3])
+            assert places.setdefault(n, place) == place
+            if nodes[n]['type'] in ('minimum', 'maximum'):
+                assert place == points[int(nodes[n]['mesh_vertex'])]
 
     node_values = [float(n['value']) for n in nodes.values()]
     assert 2 * len(diagram) == sum(n['type'] != 'isolated' for n in nodes.values()) + 2 * report['degenerate']

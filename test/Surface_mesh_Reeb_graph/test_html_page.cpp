@@ -18,7 +18,7 @@
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/write_page.h"
 
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph_hierarchy.h>
-#include <CGAL/Surface_mesh_Reeb_graph/arc_polyline.h>
+#include <CGAL/Surface_mesh_Reeb_graph/embed_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/simplify_Reeb_graph.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -151,27 +151,42 @@ void check_stop(const Page& page, std::uint32_t stop, const Result& result)
   BOOST_TEST((arcs_at(page, stop) == arcs_of_result(result)));
 }
 
-// The page begins with the graph of the result, and its arcs have the polylines of the other files.
-void check_polylines(const Page& page, const Result& result)
+// The page begins with the graph of the result, and its arcs are the curves of the skeleton.
+void check_curves(const Page& page, const Result& result)
 {
   check_stop(page, page.first_stop, result);
-  using Polyline = std::vector<Page::Point>;
-  std::vector<Polyline> expected, polylines;
-  for (const auto arc : CGAL::make_range(edges(result.graph))) {
-    expected.emplace_back();
-    for (const auto& p : SMRG::arc_polyline(arc, result.graph, result.mesh))
-      expected.back().push_back({p.x(), p.y(), p.z()});
-  }
+  using Segment = std::array<Page::Point, 2>;
+  std::vector<Segment> expected, segments;
+  const auto place = [&](auto v) {
+    const auto& p = result.skeleton[v].point;
+    return Page::Point{p.x(), p.y(), p.z()};
+  };
+  for (const auto edge : CGAL::make_range(edges(result.skeleton)))
+    expected.push_back(
+        {place(source(edge, result.skeleton)), place(target(edge, result.skeleton))});
   for (const Page::Arc& arc : page.arcs) {
     if (!is_there(arc, page.first_stop))
       continue;
-    polylines.push_back({page.nodes[arc.lower].place});
-    polylines.back().insert(polylines.back().end(), arc.points.begin(), arc.points.end());
-    polylines.back().push_back(page.nodes[arc.upper].place);
+    std::vector<Page::Point> points = arc.points;
+    points.insert(points.begin(), page.nodes[arc.lower].place);
+    points.push_back(page.nodes[arc.upper].place);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      segments.push_back({points[i - 1], points[i]});
   }
-  std::sort(expected.begin(), expected.end());
-  std::sort(polylines.begin(), polylines.end());
-  BOOST_TEST((polylines == expected));
+  for (std::vector<Segment>* list : {&expected, &segments}) {
+    for (Segment& segment : *list)
+      std::sort(segment.begin(), segment.end());
+    std::sort(list->begin(), list->end());
+  }
+  BOOST_TEST((segments == expected));
+}
+
+// With curves that are made faster than the skeleton.
+Page page_of(const Options& options, Result& result, const Finest_graph& finest)
+{
+  SMRG::embed_Reeb_graph(result.mesh, result.values, result.graph, result.skeleton);
+  Progress progress;
+  return make_page(options, result, finest, progress);
 }
 
 Page check_all_stops(const Index_mesh& mesh,
@@ -189,12 +204,11 @@ Page check_all_stops(const Index_mesh& mesh,
   set_up(result, mesh, function);
   compute_graph(result, options.unfold);
   simplify(result, options, options.simplify);
-  Progress progress;
-  const Page page = make_page(options, result, finest, progress);
+  const Page page = page_of(options, result, finest);
 
   BOOST_REQUIRE(page.stops.size() == hierarchy.number_of_levels());
   BOOST_TEST(page.number_of_levels == hierarchy.number_of_levels());
-  check_polylines(page, result);
+  check_curves(page, result);
   for (std::uint32_t stop = 0; stop < page.stops.size(); ++stop) {
     BOOST_TEST(page.stops[stop].level == stop);
     Result simplified;
@@ -290,9 +304,8 @@ BOOST_AUTO_TEST_CASE(extreme_input)
   Result result;
   set_up(result, mesh, function);
   compute_graph(result, false);
-  Progress progress;
   std::ostringstream out;
-  write_page(out, make_page(Options(), result, finest_graph(result), progress));
+  write_page(out, page_of(Options(), result, finest_graph(result)));
   BOOST_TEST(out.str().size() > 1000u);
 }
 
@@ -317,11 +330,10 @@ BOOST_AUTO_TEST_CASE(loops_and_leaves)
                             SMRG::parameters::vertex_arc_map(result.arcs)
                                 .persistence_threshold(options.simplify)
                                 .loop_persistence_threshold(options.close_loops));
-  Progress progress;
-  const Page page = make_page(options, result, finest_graph(result), progress);
+  const Page page = page_of(options, result, finest_graph(result));
   BOOST_TEST(page.is_graph_simplified);
   BOOST_TEST(page.first_stop == 0u);
-  check_polylines(page, result);
+  check_curves(page, result);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -424,9 +436,8 @@ BOOST_AUTO_TEST_CASE(global_locale_that_groups_digits)
   set_up(result, mesh, function);
   compute_graph(result, false);
   const auto text = [&]() {
-    Progress progress;
     std::ostringstream out;
-    write_page(out, make_page(Options(), result, finest_graph(result), progress));
+    write_page(out, page_of(Options(), result, finest_graph(result)));
     return out.str();
   };
   const std::string expected = text();

@@ -346,7 +346,7 @@ private:
         m_page.arcs[arc.arc].points = points_along(groups, arc.groups);
       if (is_first) {
         m_page.first_stop = static_cast<std::uint32_t>(m_page.stops.size());
-        take_polylines(recorder.arcs());
+        take_skeleton(recorder.arcs());
       }
       m_page.stops.push_back({level == 0 ? 0 : persistences[level - 1],
                               level == persistences.size() ? std::numeric_limits<double>::infinity()
@@ -389,20 +389,26 @@ private:
     return result;
   }
 
-  // Gives the arcs that the page shows first the polylines that the other files have.
-  void take_polylines(const std::vector<std::uint32_t>& arcs)
+  // Gives the arcs that the page shows first the curves of the skeleton, which the other files have.
+  void take_skeleton(const std::vector<std::uint32_t>& arcs)
   {
     const Graph& graph = m_result.graph;
-    CGAL_assertion(arcs.size() == num_edges(graph));
+    const Skeleton& skeleton = m_result.skeleton;
+    CGAL_assertion(arcs.size() == num_edges(graph) &&
+                   num_vertices(skeleton) >= num_vertices(graph));
+    // the points of the nodes come first, and then those of the arcs, upwards
+    std::vector<std::vector<Page::Point>> points(num_edges(graph));
+    for (std::size_t i = num_vertices(graph); i < num_vertices(skeleton); ++i)
+      points[skeleton[*out_edges(i, skeleton).first].arc].push_back(place_of(skeleton[i].point));
     std::size_t i = 0;
     for (const auto arc : boost::make_iterator_range(edges(graph))) {
-      const std::vector<Kernel::Point_3> polyline = SMRG::arc_polyline(arc, graph, m_result.mesh);
       Page::Arc& page_arc = m_page.arcs[arcs[i++]];
+      const auto lower = SMRG::lower_node(arc, graph), upper = SMRG::upper_node(arc, graph);
       CGAL_assertion(m_page.nodes[page_arc.lower].vertex ==
-                     static_cast<std::uint32_t>(graph[SMRG::lower_node(arc, graph)].vertex));
-      page_arc.points = inner_points(polyline);
-      m_page.nodes[page_arc.lower].place = place_of(polyline.front());
-      m_page.nodes[page_arc.upper].place = place_of(polyline.back());
+                     static_cast<std::uint32_t>(graph[lower].vertex));
+      page_arc.points = std::move(points[graph[arc].id]);
+      m_page.nodes[page_arc.lower].place = place_of(skeleton[graph[lower].id].point);
+      m_page.nodes[page_arc.upper].place = place_of(skeleton[graph[upper].id].point);
     }
   }
 

@@ -7,11 +7,13 @@
 #include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/GraphML.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/Graphviz.h>
+#include <CGAL/Surface_mesh_Reeb_graph/IO/SWC.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/VTP.h>
 #include <CGAL/Surface_mesh_Reeb_graph/IO/polylines.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <ios>
 #include <limits>
@@ -76,7 +78,13 @@ inline void write_results(Result& result, const std::string& prefix)
   write_file(prefix + ".dot",
              [&](std::ostream& out) { SMRG::IO::write_Graphviz(out, result.graph, result.mesh); });
   write_file(prefix + ".polylines.txt",
-             [&](std::ostream& out) { SMRG::IO::write_polylines(out, result.graph, result.mesh); });
+             [&](std::ostream& out) { SMRG::IO::write_polylines(out, result.skeleton); });
+  // a skeleton with loops has no such file: one of an earlier run would not be its own
+  if (SMRG::IO::is_forest(result.skeleton))
+    write_file(prefix + ".swc",
+               [&](std::ostream& out) { SMRG::IO::write_SWC(out, result.skeleton); });
+  else
+    std::filesystem::remove(prefix + ".swc");
   write_file(prefix + ".vtp", [&](std::ostream& out) {
     SMRG::IO::write_VTP(out, result.mesh, result.values, result.arcs);
   });

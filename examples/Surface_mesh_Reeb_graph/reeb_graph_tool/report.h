@@ -96,6 +96,7 @@ inline void print_json(std::ostream& out, const Result& result)
                        {"function", result.seconds.function},
                        {"reeb_graph", result.seconds.reeb_graph},
                        {"simplify", result.seconds.simplify},
+                       {"skeleton", result.seconds.skeleton},
                        {"write", result.seconds.write}};
   out << report.dump(2) << '\n';
 }
@@ -172,7 +173,8 @@ inline void print_text(std::ostream& out, const Options& options, const Result& 
     out << "Feature points: " << result.feature_points.size() << '\n';
   out << "Seconds: read " << result.seconds.read << ", eigenbasis " << result.seconds.eigenbasis
       << ", function " << result.seconds.function << ", Reeb graph " << result.seconds.reeb_graph
-      << ", simplify " << result.seconds.simplify << ", write " << result.seconds.write << '\n';
+      << ", simplify " << result.seconds.simplify << ", skeleton " << result.seconds.skeleton
+      << ", write " << result.seconds.write << '\n';
 }
 
 #endif // REEB_GRAPH_TOOL_REPORT_H

@@ -3,6 +3,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_Reeb_graph/Curve_skeleton.h>
 #include <CGAL/Surface_mesh_Reeb_graph/Reeb_graph.h>
 
 #include "../mesh_input/errors.h"
@@ -22,6 +23,7 @@ using vertex_descriptor = Mesh::Vertex_index;
 using Value_map = Mesh::Property_map<vertex_descriptor, double>;
 using Arc_map = Mesh::Property_map<vertex_descriptor, int>;
 using Graph = SMRG::Reeb_graph<Mesh>;
+using Skeleton = SMRG::Curve_skeleton<Mesh>;
 
 // The exit statuses of the tool.
 enum Exit_status {
@@ -83,13 +85,15 @@ struct Result
   Value_map values;
   Arc_map arcs;
   Graph graph;
+  Skeleton skeleton;   // if files with it are written
   std::string diagram; // of the graph before it is simplified
   std::vector<vertex_descriptor> feature_points;
   std::vector<std::vector<double>> eigenvalues; // by component
   std::vector<Component_failure> failures;
   struct
   {
-    double read = 0, eigenbasis = 0, function = 0, reeb_graph = 0, simplify = 0, write = 0;
+    double read = 0, eigenbasis = 0, function = 0, reeb_graph = 0, simplify = 0, skeleton = 0,
+           write = 0;
   } seconds;
 };
 

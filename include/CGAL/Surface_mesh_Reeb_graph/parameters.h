@@ -93,7 +93,8 @@ for functions of \cgal must.
 | `curvature_threshold`, `smoothing_length` | `curvature_feature_points()` |
 | `cone_angle`, `number_of_rays` | `shape_diameter_function()` |
 | `output_iterator`, `sparse_linear_solver`, `vertex_value_map` | `commute_time_Reeb_graph()` |
-| `number_of_samples` | `arc_polyline()` |
+| `number_of_samples` | `arc_polyline()`, `compute_curve_skeleton()`, `embed_Reeb_graph()` |
+| `keep_inside`, `smoothing` | `compute_curve_skeleton()` |
 | `vertex_index_map`, `vertex_point_map` | wherever they are read |
 */
 namespace parameters {

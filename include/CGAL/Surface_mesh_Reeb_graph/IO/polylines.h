@@ -16,7 +16,11 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
+#include <boost/graph/properties.hpp>
+
+#include <cstddef>
 #include <ostream>
 #include <string>
 
@@ -80,6 +84,58 @@ bool write_polylines(const std::string& filename,
 {
   return internal::write_file(
       filename, [&](std::ostream& out) { IO::write_polylines(out, graph, tmesh, np); });
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes the arcs of a curve skeleton as polylines, in the same format: a line for every arc, in the
+order of their numbers.
+
+\param out the stream
+\param skeleton a skeleton that `compute_curve_skeleton()` or `embed_Reeb_graph()` has made
+
+\return `true` if the stream is good afterwards
+*/
+template <class Skeleton>
+bool write_polylines(std::ostream& out, const Skeleton& skeleton)
+{
+  const internal::Exact_output exact_output(out);
+  const auto points = get(boost::vertex_bundle, skeleton);
+  const auto arcs = get(boost::edge_bundle, skeleton);
+  const auto range = edges(skeleton);
+  for (auto first = range.first; first != range.second;) {
+    // the segments of an arc follow each other
+    auto last = first;
+    std::size_t number_of_points = 1;
+    for (; last != range.second && arcs[*last].arc == arcs[*first].arc; ++last)
+      ++number_of_points;
+    out << number_of_points;
+    const auto write_point = [&](auto v) {
+      const auto& p = points[v].point;
+      out << ' ' << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' '
+          << CGAL::to_double(p.z());
+    };
+    write_point(source(*first, skeleton));
+    for (; first != last; ++first)
+      write_point(target(*first, skeleton));
+    out << '\n';
+  }
+  return out.good();
+}
+
+/*!
+\ingroup PkgSurfaceMeshReebGraphIO
+
+writes the arcs of a curve skeleton as polylines to a file, which is replaced if it exists.
+
+\return `true` if the file could be written
+*/
+template <class Skeleton>
+bool write_polylines(const std::string& filename, const Skeleton& skeleton)
+{
+  return internal::write_file(filename,
+                              [&](std::ostream& out) { IO::write_polylines(out, skeleton); });
 }
 
 } // namespace IO

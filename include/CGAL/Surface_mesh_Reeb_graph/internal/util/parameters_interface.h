@@ -31,6 +31,8 @@ CGAL_add_named_parameter(curvature_threshold_t, curvature_threshold, curvature_t
 CGAL_add_named_parameter(smoothing_length_t, smoothing_length, smoothing_length)
 CGAL_add_named_parameter(cone_angle_t, cone_angle, cone_angle)
 CGAL_add_named_parameter(number_of_rays_t, number_of_rays, number_of_rays)
+CGAL_add_named_parameter(smoothing_t, smoothing, smoothing)
+CGAL_add_named_parameter(keep_inside_t, keep_inside, keep_inside)
 CGAL_add_named_parameter(persistence_threshold_t, persistence_threshold, persistence_threshold)
 CGAL_add_named_parameter(persistence_gap_t, persistence_gap, persistence_gap)
 CGAL_add_named_parameter(threshold_is_absolute_t, threshold_is_absolute, threshold_is_absolute)
