@@ -97,9 +97,10 @@ void run(const Options& options, Result& result)
                                   .loop_persistence_threshold(options.close_loops)
                                   .number_of_leaves(options.leaves));
   });
-  if (!options.output.empty() || wants_page)
+  if ((!options.output.empty() || wants_page) && num_edges(result.graph) <= most_arcs_of_skeleton)
     timed(result.seconds.skeleton, progress, "computing the skeleton", [&]() {
-      SMRG::compute_curve_skeleton(result.mesh, result.values, result.graph, result.skeleton);
+      SMRG::compute_curve_skeleton(
+          result.mesh, result.values, result.graph, result.skeleton.emplace());
     });
   timed(result.seconds.write, progress, "writing the results", [&]() {
     if (!options.output.empty())

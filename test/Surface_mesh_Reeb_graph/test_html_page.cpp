@@ -157,13 +157,13 @@ void check_curves(const Page& page, const Result& result)
   check_stop(page, page.first_stop, result);
   using Segment = std::array<Page::Point, 2>;
   std::vector<Segment> expected, segments;
+  const Skeleton& skeleton = *result.skeleton;
   const auto place = [&](auto v) {
-    const auto& p = result.skeleton[v].point;
+    const auto& p = skeleton[v].point;
     return Page::Point{p.x(), p.y(), p.z()};
   };
-  for (const auto edge : CGAL::make_range(edges(result.skeleton)))
-    expected.push_back(
-        {place(source(edge, result.skeleton)), place(target(edge, result.skeleton))});
+  for (const auto edge : CGAL::make_range(edges(skeleton)))
+    expected.push_back({place(source(edge, skeleton)), place(target(edge, skeleton))});
   for (const Page::Arc& arc : page.arcs) {
     if (!is_there(arc, page.first_stop))
       continue;
@@ -184,7 +184,7 @@ void check_curves(const Page& page, const Result& result)
 // With curves that are made faster than the skeleton.
 Page page_of(const Options& options, Result& result, const Finest_graph& finest)
 {
-  SMRG::embed_Reeb_graph(result.mesh, result.values, result.graph, result.skeleton);
+  SMRG::embed_Reeb_graph(result.mesh, result.values, result.graph, result.skeleton.emplace());
   Progress progress;
   return make_page(options, result, finest, progress);
 }

@@ -8,6 +8,7 @@
 #include "Grouping_locale.h"
 #include "Index_mesh.h"
 #include "random_meshes.h"
+#include "tool_runs.h"
 
 // after random_meshes.h: Boost's disjoint sets do not compile after its readers of graphs
 #include "../../examples/Surface_mesh_Reeb_graph/reeb_graph_tool/output.h"
@@ -110,4 +111,27 @@ BOOST_AUTO_TEST_CASE(time_that_is_left)
   BOOST_TEST(time_left(10, 0) == "");     // nothing is known
   BOOST_TEST(time_left(0.1, 0.01) == ""); // nor yet
   BOOST_TEST(time_left(10, 1e-300) == "");
+}
+
+// Curves through barycenters take the place of a skeleton, and the report says so.
+BOOST_AUTO_TEST_CASE(noise_has_no_skeleton)
+{
+  const Folder folder;
+  const Index_mesh sphere_mesh = sphere(5);
+  std::mt19937 rng(1);
+  std::ostringstream values;
+  for (std::size_t i = 0; i < sphere_mesh.points.size(); ++i)
+    values << random_unit(rng) << '\n';
+  const std::string prefix = folder.file("noise");
+  const std::string arguments = "'" + folder.write("sphere.off", sphere_mesh) + "' --values '" +
+                                folder.write("values.txt", values.str()) + "' --output '" + prefix +
+                                "'";
+  const Run noise = run(folder, arguments);
+  BOOST_TEST(noise.status == 0);
+  BOOST_TEST(noise.out.find("there is no skeleton") != std::string::npos);
+  BOOST_TEST(count(content(prefix + ".polylines.txt"), "\n") > 1000u);
+  BOOST_TEST(!std::filesystem::exists(prefix + ".swc"));
+  const Run simple = run(folder, arguments + " --simplify 0.9");
+  BOOST_TEST(simple.out.find("there is no skeleton") == std::string::npos);
+  BOOST_TEST(std::filesystem::exists(prefix + ".swc"));
 }

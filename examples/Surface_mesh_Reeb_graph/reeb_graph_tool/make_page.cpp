@@ -346,7 +346,7 @@ private:
         m_page.arcs[arc.arc].points = points_along(groups, arc.groups);
       if (is_first) {
         m_page.first_stop = static_cast<std::uint32_t>(m_page.stops.size());
-        take_skeleton(recorder.arcs());
+        take_curves(recorder.arcs());
       }
       m_page.stops.push_back({level == 0 ? 0 : persistences[level - 1],
                               level == persistences.size() ? std::numeric_limits<double>::infinity()
@@ -389,27 +389,39 @@ private:
     return result;
   }
 
-  // Gives the arcs that the page shows first the curves of the skeleton, which the other files have.
-  void take_skeleton(const std::vector<std::uint32_t>& arcs)
+  // Gives the arcs that the page shows first the curves that the other files have.
+  void take_curves(const std::vector<std::uint32_t>& arcs)
   {
     const Graph& graph = m_result.graph;
-    const Skeleton& skeleton = m_result.skeleton;
-    CGAL_assertion(arcs.size() == num_edges(graph) &&
-                   num_vertices(skeleton) >= num_vertices(graph));
-    // the points of the nodes come first, and then those of the arcs, upwards
-    std::vector<std::vector<Page::Point>> points(num_edges(graph));
-    for (std::size_t i = num_vertices(graph); i < num_vertices(skeleton); ++i)
-      points[skeleton[*out_edges(i, skeleton).first].arc].push_back(place_of(skeleton[i].point));
+    CGAL_assertion(arcs.size() == num_edges(graph));
+    std::vector<std::vector<Page::Point>> points = inner_points_of_skeleton();
     std::size_t i = 0;
     for (const auto arc : boost::make_iterator_range(edges(graph))) {
       Page::Arc& page_arc = m_page.arcs[arcs[i++]];
       const auto lower = SMRG::lower_node(arc, graph), upper = SMRG::upper_node(arc, graph);
       CGAL_assertion(m_page.nodes[page_arc.lower].vertex ==
                      static_cast<std::uint32_t>(graph[lower].vertex));
-      page_arc.points = std::move(points[graph[arc].id]);
-      m_page.nodes[page_arc.lower].place = place_of(skeleton[graph[lower].id].point);
-      m_page.nodes[page_arc.upper].place = place_of(skeleton[graph[upper].id].point);
+      if (m_result.skeleton) {
+        page_arc.points = std::move(points[graph[arc].id]);
+        const Skeleton& skeleton = *m_result.skeleton;
+        m_page.nodes[page_arc.lower].place = place_of(skeleton[graph[lower].id].point);
+        m_page.nodes[page_arc.upper].place = place_of(skeleton[graph[upper].id].point);
+      } else {
+        page_arc.points = inner_points(SMRG::arc_polyline(arc, graph, m_result.mesh));
+      }
     }
+  }
+
+  // By arc. The points of the nodes come first, and then those of the arcs, upwards.
+  std::vector<std::vector<Page::Point>> inner_points_of_skeleton() const
+  {
+    std::vector<std::vector<Page::Point>> result(num_edges(m_result.graph));
+    if (!m_result.skeleton)
+      return result;
+    const Skeleton& skeleton = *m_result.skeleton;
+    for (std::size_t i = num_vertices(m_result.graph); i < num_vertices(skeleton); ++i)
+      result[skeleton[*out_edges(i, skeleton).first].arc].push_back(place_of(skeleton[i].point));
+    return result;
   }
 
   void add_pairs()

@@ -301,9 +301,10 @@ inline bool parse_options(int argc, char* argv[], Options& options)
       "the diffusion time at which commute_time finds the farthest pair")(
       "output",
       po::value(&options.output)->value_name("PREFIX"),
-      "write PREFIX.values.txt, .graphml, .dot, .ply and .vtp, the skeleton as .polylines.txt and, "
-      "if "
-      "it has no loops, .swc, and, if this build of the tool has the page, .html")(
+      "write PREFIX.values.txt, .graphml, .dot, .ply and .vtp, the skeleton (of up to 1000 arcs) "
+      "as "
+      ".polylines.txt and, if it has no loops, .swc, and, if this build of the tool has the page, "
+      ".html")(
       "html",
       po::value(&options.html)->value_name("FILE"),
       "write a page to look at mesh, function and graph at all thresholds, for a web browser")(

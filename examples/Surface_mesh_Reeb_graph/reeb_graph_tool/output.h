@@ -77,12 +77,16 @@ inline void write_results(Result& result, const std::string& prefix)
              [&](std::ostream& out) { SMRG::IO::write_GraphML(out, result.graph, result.mesh); });
   write_file(prefix + ".dot",
              [&](std::ostream& out) { SMRG::IO::write_Graphviz(out, result.graph, result.mesh); });
-  write_file(prefix + ".polylines.txt",
-             [&](std::ostream& out) { SMRG::IO::write_polylines(out, result.skeleton); });
+  write_file(prefix + ".polylines.txt", [&](std::ostream& out) {
+    if (result.skeleton)
+      SMRG::IO::write_polylines(out, *result.skeleton);
+    else
+      SMRG::IO::write_polylines(out, result.graph, result.mesh);
+  });
   // a skeleton with loops has no such file: one of an earlier run would not be its own
-  if (SMRG::IO::is_forest(result.skeleton))
+  if (result.skeleton && SMRG::IO::is_forest(*result.skeleton))
     write_file(prefix + ".swc",
-               [&](std::ostream& out) { SMRG::IO::write_SWC(out, result.skeleton); });
+               [&](std::ostream& out) { SMRG::IO::write_SWC(out, *result.skeleton); });
   else
     std::filesystem::remove(prefix + ".swc");
   write_file(prefix + ".vtp", [&](std::ostream& out) {

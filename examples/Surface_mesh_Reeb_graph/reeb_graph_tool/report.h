@@ -169,6 +169,10 @@ inline void print_text(std::ostream& out, const Options& options, const Result& 
   out << "Nodes: minima " << counts.minima << ", maxima " << counts.maxima << ", splits "
       << counts.splits << ", merges " << counts.merges << ", isolated " << counts.isolated
       << ", degenerate " << counts.degenerate << '\n';
+  if (!options.output.empty() && !result.skeleton)
+    out << "Note: with more than " << most_arcs_of_skeleton
+        << " arcs there is no skeleton; their polylines go through barycenters of vertices "
+           "(--simplify cancels arcs)\n";
   if (!result.feature_points.empty())
     out << "Feature points: " << result.feature_points.size() << '\n';
   out << "Seconds: read " << result.seconds.read << ", eigenbasis " << result.seconds.eigenbasis

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ using Value_map = Mesh::Property_map<vertex_descriptor, double>;
 using Arc_map = Mesh::Property_map<vertex_descriptor, int>;
 using Graph = SMRG::Reeb_graph<Mesh>;
 using Skeleton = SMRG::Curve_skeleton<Mesh>;
+
+// Of noise nobody wants a skeleton that takes minutes: with more arcs, curves go through barycenters.
+constexpr std::size_t most_arcs_of_skeleton = 1000;
 
 // The exit statuses of the tool.
 enum Exit_status {
@@ -85,8 +89,8 @@ struct Result
   Value_map values;
   Arc_map arcs;
   Graph graph;
-  Skeleton skeleton;   // if files with it are written
-  std::string diagram; // of the graph before it is simplified
+  std::optional<Skeleton> skeleton; // if files with it are written, and there are few arcs
+  std::string diagram;              // of the graph before it is simplified
   std::vector<vertex_descriptor> feature_points;
   std::vector<std::vector<double>> eigenvalues; // by component
   std::vector<Component_failure> failures;
