@@ -3,12 +3,13 @@
 //
 // Curve skeletons beside those of CGAL's mean curvature flow.
 //
-//   benchmark_skeleton [--smoothing S] MESH|FOLDER...
+//   benchmark_skeleton [--smoothing S] [--subdivide N] MESH|FOLDER...
 //
-// Of folders, all OFF files; what is not a closed triangle mesh is passed over. A row for every mesh
-// and the least and the middle one of them go to the standard output, in Markdown: the part of the
-// length that is inside, how centered it is, and how it turns. The graph is that of the commute-time
-// function with the branches below a tenth of the range cancelled.
+// --subdivide makes four triangles of each, N times (Loop). Of folders, all OFF files; what is not a
+// closed triangle mesh is passed over. A row for every mesh and the least and the middle one of them go
+// to the standard output, in Markdown: the part of the length that is inside, how centered it is, and
+// how it turns. The graph is that of the commute-time function with the branches below a tenth of the
+// range cancelled.
 
 #include "seconds_for.h"
 #include "skeleton/Skeleton_quality.h"
@@ -20,6 +21,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/commute_time_Reeb_graph.h>
 #include <CGAL/Surface_mesh_Reeb_graph/compute_curve_skeleton.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <boost/graph/connected_components.hpp>
 
@@ -176,11 +178,14 @@ void print_summary(const std::vector<Row>& rows)
 int main(int argc, char* argv[])
 {
   double smoothing = 1;
+  unsigned subdivisions = 0;
   std::vector<std::filesystem::path> files;
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--smoothing" && i + 1 < argc) {
       smoothing = std::atof(argv[++i]);
+    } else if (argument == "--subdivide" && i + 1 < argc) {
+      subdivisions = static_cast<unsigned>(std::atoi(argv[++i]));
     } else if (std::filesystem::is_directory(argument)) {
       for (const auto& entry : std::filesystem::recursive_directory_iterator(argument))
         if (entry.path().extension() == ".off")
@@ -191,7 +196,7 @@ int main(int argc, char* argv[])
   }
   std::sort(files.begin(), files.end());
   if (files.empty()) {
-    std::cerr << "usage: benchmark_skeleton [--smoothing S] MESH|FOLDER...\n";
+    std::cerr << "usage: benchmark_skeleton [--smoothing S] [--subdivide N] MESH|FOLDER...\n";
     return EXIT_FAILURE;
   }
 
@@ -206,6 +211,8 @@ int main(int argc, char* argv[])
       if (!CGAL::IO::read_polygon_mesh(file.string(), mesh) || mesh.is_empty() ||
           !CGAL::is_triangle_mesh(mesh) || !CGAL::is_closed(mesh))
         continue;
+      CGAL::Subdivision_method_3::Loop_subdivision(
+          mesh, CGAL::parameters::number_of_iterations(subdivisions));
       Row row = measure(mesh, smoothing);
       row.name = file.stem().string();
       print(row);

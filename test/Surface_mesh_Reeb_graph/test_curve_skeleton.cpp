@@ -432,6 +432,36 @@ BOOST_AUTO_TEST_CASE(degenerate_faces)
   check_structure(d, flat_graph, skeleton_of(d, flat_graph, Kind::SKELETON));
 }
 
+// A component that is a point has contours of no length, and changes nothing for the others.
+BOOST_AUTO_TEST_CASE(components_without_extent)
+{
+  const Index_mesh mesh = torus(24, 12, 1, 0.3);
+  Index_mesh both = mesh;
+  append(both, sphere(2), 0);
+  for (std::size_t v = mesh.points.size(); v < both.points.size(); ++v)
+    both.points[v] = {0, 0, 0.1};
+  std::vector<double> values = heights(mesh, {1, 0.3, 0.1});
+  const Case c(mesh, values);
+  for (std::size_t v = mesh.points.size(); v < both.points.size(); ++v)
+    values.push_back(10 + static_cast<double>(v));
+  const Case d(both, values);
+  const Graph graph = graph_of(c), graph_of_both = graph_of(d);
+  const Skeleton alone = skeleton_of(c, graph, Kind::FREE);
+  const Skeleton skeleton = skeleton_of(d, graph_of_both, Kind::FREE);
+  const auto points = [](const Skeleton& s) {
+    std::vector<Point> result;
+    for (const auto v : CGAL::make_range(vertices(s)))
+      if (CGAL::squared_distance(s[v].point, Point(0, 0, 0.1)) > 1e-6)
+        result.push_back(s[v].point);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const std::vector<Point> expected = points(alone), found = points(skeleton);
+  BOOST_REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    BOOST_TEST(CGAL::squared_distance(found[i], expected[i]) < 1e-16);
+}
+
 BOOST_AUTO_TEST_CASE(empty_mesh)
 {
   const Case c(Index_mesh(), {});

@@ -62,7 +62,6 @@ struct Skeleton_quality
           double diagonal)
   {
     using namespace CGAL::Surface_mesh_Reeb_graph::internal;
-    constexpr double pi = 3.14159265358979323846;
     constexpr int directions = 8;
     double length = 0, inside = 0, centered = 0, seen = 0, turning = 0;
     for (const Polyline& polyline : polylines)
@@ -89,7 +88,7 @@ struct Skeleton_quality
           double sum = 0;
           int met = 0;
           for (int j = 0; j < directions; ++j) {
-            const double angle = pi * j / directions;
+            const double angle = CGAL_PI * j / directions;
             const Line_hits hits =
                 surface.hits(p, moved(moved({}, std::cos(angle), u), std::sin(angle), w));
             const double a = hits.forward(), b = hits.backward();
@@ -104,7 +103,7 @@ struct Skeleton_quality
           }
         }
       }
-    return {inside / length, centered / seen, turning * 180 / pi / (length / diagonal)};
+    return {inside / length, centered / seen, turning * 180 / CGAL_PI / (length / diagonal)};
   }
 
 private:

@@ -93,8 +93,8 @@ of the surface, in the same way, and may cross it.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O((n + c) log n + s log n) time, in general, for *n* vertices, contours that cross *c* edges
-in all, and *s* points.
+Takes O((n + c) log n + s log n + n p) time, in general, for *n* vertices, contours that cross *c*
+edges in all, *s* points, and *p* of these in an arc. The method is this package's own.
 
 \pre `number_of_samples` and `smoothing` are not negative
 

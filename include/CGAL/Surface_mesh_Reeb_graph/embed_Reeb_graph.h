@@ -106,7 +106,8 @@ Centroids may lie outside the shape, and polylines zigzag where contours change 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-Takes O((n + c) log n) time, in general, for *n* vertices and contours that cross *c* edges in all.
+Takes O((n + c) log n + n p) time, in general, for *n* vertices, contours that cross *c* edges in all,
+and *p* points in an arc. The method is this package's own.
 
 \pre `number_of_samples` is not negative
 

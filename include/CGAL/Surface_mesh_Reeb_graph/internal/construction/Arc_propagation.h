@@ -199,8 +199,11 @@ private:
   void lead(std::uint32_t arc, vertex_descriptor v, std::vector<vertex_descriptor>& left)
   {
     const std::size_t i = index(v);
-    if (mark(i) != UNKNOWN)
+    if (mark(i) != UNKNOWN) {
+      CGAL_assertion(mark(i) >= NODE || mark(i) == arc ||
+                     !is_below_upper_end(v, m_order.value(v), arc));
       return;
+    }
     arc = arc_from(arc, v);
     if (arc == no_arc)
       left.push_back(v);

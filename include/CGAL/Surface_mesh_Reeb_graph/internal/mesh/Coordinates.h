@@ -44,12 +44,25 @@ inline double distance_between(const Coordinates& p, const Coordinates& q)
   return length_of(difference_of(p, q));
 }
 
+inline double scalar_product(const Coordinates& u, const Coordinates& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+inline Coordinates cross_product_of(const Coordinates& u, const Coordinates& v)
+{
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+// The point p + t v.
+inline Coordinates moved(const Coordinates& p, double t, const Coordinates& v)
+{
+  return {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
+}
+
 inline double triangle_area(const Coordinates& p, const Coordinates& q, const Coordinates& r)
 {
-  const Coordinates a = difference_of(q, p), b = difference_of(r, p);
-  return length_of(
-             {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}) /
-         2;
+  return length_of(cross_product_of(difference_of(q, p), difference_of(r, p))) / 2;
 }
 
 } // namespace internal

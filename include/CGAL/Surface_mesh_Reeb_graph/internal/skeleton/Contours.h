@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_Reeb_graph/internal/skeleton/Line_hits.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -40,11 +41,7 @@ struct Contour
   double length;
 
   // That of the circle of the same length.
-  double diameter() const
-  {
-    constexpr double pi = 3.14159265358979323846;
-    return length / pi;
-  }
+  double diameter() const { return length / CGAL_PI; }
 };
 
 // The centroid of line segments, or that of their ends if they have no length.

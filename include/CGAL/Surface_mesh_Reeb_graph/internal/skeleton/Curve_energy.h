@@ -14,6 +14,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,8 +34,6 @@ public:
   Curve_energy(std::vector<Coordinates> points, std::vector<bool> is_fixed)
     : m_points(std::move(points)), m_is_fixed(std::move(is_fixed)), m_pulls(m_points.size())
   {}
-
-  const Coordinates& point(std::size_t i) const { return m_points[i]; }
 
   // Adds weight * (v . (x - p) - offset)^2 for point `i`, which is at p now.
   void add_offset(std::size_t i, const Coordinates& v, double offset, double weight)
@@ -68,48 +69,58 @@ public:
     m_bends.push_back({{i, j, k}, {alpha, -alpha - gamma, gamma}, weight});
   }
 
-  // The points at the minimum, by conjugate gradients with the diagonal as preconditioner. What is
-  // far from it after the steps allowed is closer than before all the same.
+  // The points at the minimum. Where the terms leave a choice, points stay.
   std::vector<Coordinates> minimum() const
   {
-    constexpr int most_steps = 400;
-    constexpr double tolerance = 1e-8; // of the preconditioned residual
-    const std::size_t n = m_points.size();
-    std::vector<Coordinates> x = m_points, residual = gradient(), scaled(n), product(n);
-    const std::vector<Coordinates> diagonal = diagonal_of_matrix();
-    const auto precondition = [&]() {
-      double sum = 0;
-      for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < 3; ++c) {
-          scaled[i][c] = diagonal[i][c] > 0 ? residual[i][c] / diagonal[i][c] : 0;
-          sum += scaled[i][c] * residual[i][c];
-        }
-      return sum;
+    const auto size = static_cast<Eigen::Index>(3 * m_points.size());
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(size), diagonal = force;
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](std::size_t i, int r, std::size_t j, int c, double entry) {
+      if (m_is_fixed[i] || m_is_fixed[j])
+        return;
+      entries.emplace_back(static_cast<int>(row(i, r)), static_cast<int>(row(j, c)), entry);
+      if (i == j && r == c)
+        diagonal[row(i, r)] += entry;
     };
-    double rho = precondition();
-    const double goal = rho * tolerance * tolerance;
-    std::vector<Coordinates> direction = scaled;
-    for (int step = 0; step < most_steps && rho > goal; ++step) {
-      multiply(direction, product);
-      double curvature = 0;
-      for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      for (int r = 0; r < 3; ++r) {
+        force[row(i, r)] = m_pulls[i].force[r];
         for (int c = 0; c < 3; ++c)
-          curvature += direction[i][c] * product[i][c];
-      if (!(curvature > 0))
-        break;
-      const double length = rho / curvature;
-      for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < 3; ++c) {
-          x[i][c] += length * direction[i][c];
-          residual[i][c] -= length * product[i][c];
+          add(i, r, i, c, m_pulls[i].matrix[r][c]);
+      }
+    for (const Bend& bend : m_bends)
+      for (int c = 0; c < 3; ++c) {
+        double curvature = 0;
+        for (int j = 0; j < 3; ++j)
+          curvature += bend.coefficients[j] * m_points[bend.points[j]][c];
+        for (int j = 0; j < 3; ++j) {
+          const double weight = bend.weight * bend.coefficients[j];
+          force[row(bend.points[j], c)] -= weight * curvature;
+          for (int k = 0; k < 3; ++k)
+            add(bend.points[j], c, bend.points[k], c, weight * bend.coefficients[k]);
         }
-      const double last_rho = rho;
-      rho = precondition();
-      for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < 3; ++c)
-          direction[i][c] = scaled[i][c] + rho / last_rho * direction[i][c];
-    }
-    return x;
+      }
+    // what makes the choice
+    constexpr double least = 1e-12;
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      for (int r = 0; r < 3; ++r)
+        add(i, r, i, r, diagonal[row(i, r)] > 0 ? least * diagonal[row(i, r)] : 1);
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      if (m_is_fixed[i])
+        for (int r = 0; r < 3; ++r) {
+          force[row(i, r)] = 0;
+          entries.emplace_back(static_cast<int>(row(i, r)), static_cast<int>(row(i, r)), 1);
+        }
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::VectorXd step = solver.solve(force);
+    std::vector<Coordinates> result = m_points;
+    if (solver.info() == Eigen::Success && step.allFinite())
+      for (std::size_t i = 0; i < m_points.size(); ++i)
+        for (int r = 0; r < 3; ++r)
+          result[i][r] += step[row(i, r)];
+    return result;
   }
 
 private:
@@ -127,64 +138,10 @@ private:
     double weight;
   };
 
-  Coordinates curvature(const Bend& bend, const std::vector<Coordinates>& x) const
+  // Of a coordinate in the equations.
+  static Eigen::Index row(std::size_t i, int coordinate)
   {
-    Coordinates result = {};
-    for (int j = 0; j < 3; ++j)
-      for (int c = 0; c < 3; ++c)
-        result[c] += bend.coefficients[j] * x[bend.points[j]][c];
-    return result;
-  }
-
-  // Half of the negative gradient at the points, 0 where they are fixed.
-  std::vector<Coordinates> gradient() const
-  {
-    std::vector<Coordinates> result(m_points.size());
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      result[i] = m_pulls[i].force;
-    for (const Bend& bend : m_bends) {
-      const Coordinates k = curvature(bend, m_points);
-      for (int j = 0; j < 3; ++j)
-        for (int c = 0; c < 3; ++c)
-          result[bend.points[j]][c] -= bend.weight * bend.coefficients[j] * k[c];
-    }
-    clear_fixed(result);
-    return result;
-  }
-
-  void multiply(const std::vector<Coordinates>& x, std::vector<Coordinates>& result) const
-  {
-    for (std::size_t i = 0; i < x.size(); ++i)
-      for (int r = 0; r < 3; ++r)
-        result[i][r] = m_pulls[i].matrix[r][0] * x[i][0] + m_pulls[i].matrix[r][1] * x[i][1] +
-                       m_pulls[i].matrix[r][2] * x[i][2];
-    for (const Bend& bend : m_bends) {
-      const Coordinates k = curvature(bend, x);
-      for (int j = 0; j < 3; ++j)
-        for (int c = 0; c < 3; ++c)
-          result[bend.points[j]][c] += bend.weight * bend.coefficients[j] * k[c];
-    }
-    clear_fixed(result);
-  }
-
-  std::vector<Coordinates> diagonal_of_matrix() const
-  {
-    std::vector<Coordinates> result(m_points.size());
-    for (std::size_t i = 0; i < m_points.size(); ++i)
-      for (int c = 0; c < 3; ++c)
-        result[i][c] = m_pulls[i].matrix[c][c];
-    for (const Bend& bend : m_bends)
-      for (int j = 0; j < 3; ++j)
-        for (int c = 0; c < 3; ++c)
-          result[bend.points[j]][c] += bend.weight * bend.coefficients[j] * bend.coefficients[j];
-    return result;
-  }
-
-  void clear_fixed(std::vector<Coordinates>& x) const
-  {
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (m_is_fixed[i])
-        x[i] = {};
+    return static_cast<Eigen::Index>(3 * i) + coordinate;
   }
 
   std::vector<Coordinates> m_points;

@@ -74,9 +74,12 @@ public:
     Curve_energy energy(m_points, m_is_fixed);
     for (std::size_t c = 0; c < m_network.curves.size(); ++c) {
       add_bending(c, energy);
-      for (std::size_t i = 1; i + 1 < m_numbers[c].size(); ++i)
-        energy.add_target(
-            m_numbers[c][i], m_points[m_numbers[c][i]], weight(c, i) / square(diameter(c, i)));
+      for (std::size_t i = 1; i + 1 < m_numbers[c].size(); ++i) {
+        const std::size_t number = m_numbers[c][i];
+        // a contour of no length is a point of degenerate faces
+        if (diameter(c, i) > 0)
+          energy.add_target(number, m_points[number], weight(c, i) / square(diameter(c, i)));
+      }
     }
     return energy.minimum();
   }
@@ -199,7 +202,6 @@ private:
                        Curve_energy& energy) const
   {
     constexpr std::size_t number_of_lines = 8;
-    constexpr double pi = 3.14159265358979323846;
     // how much it counts that a point stays: there is nothing else along the curve
     constexpr double inertia = 0.5;
     const Coordinates p = m_points[number];
@@ -209,7 +211,7 @@ private:
       double sum_of_inverses = 0;
       std::size_t met = 0;
       for (std::size_t k = 0; k < number_of_lines; ++k) {
-        const double angle = pi * static_cast<double>(k) / number_of_lines;
+        const double angle = CGAL_PI * static_cast<double>(k) / number_of_lines;
         const Coordinates v =
             moved(moved({}, std::cos(angle), plane[0]), std::sin(angle), plane[1]);
         const Line_hits hits = m_surface.hits(p, v);

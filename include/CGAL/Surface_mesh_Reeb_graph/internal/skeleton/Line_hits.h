@@ -20,22 +20,6 @@ namespace CGAL {
 namespace Surface_mesh_Reeb_graph {
 namespace internal {
 
-inline double scalar_product(const Coordinates& u, const Coordinates& v)
-{
-  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-}
-
-inline Coordinates cross_product_of(const Coordinates& u, const Coordinates& v)
-{
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
-// The point p + t v.
-inline Coordinates moved(const Coordinates& p, double t, const Coordinates& v)
-{
-  return {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
-}
-
 // How far it is from a point to the surface in a direction and in the opposite one: the traits of a
 // traversal of a tree of triangles. One traversal finds both, in double precision, which is several
 // times faster than two rays with intersections that are decided exactly; and where to move a point

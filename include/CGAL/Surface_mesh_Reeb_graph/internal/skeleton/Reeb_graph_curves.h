@@ -382,18 +382,20 @@ private:
   void put_inside()
   {
     const Inside_search search(solid(), m_diagonal);
+    std::vector<std::vector<Coordinates>> next_points(m_network.nodes.size()); // of their curves
+    for (const Curve& curve : m_network.curves)
+      if (!curve.points.empty()) {
+        next_points[curve.lower].push_back(curve.points.front().point);
+        next_points[curve.upper].push_back(curve.points.back().point);
+      }
     for (std::size_t n = 0; n < m_network.nodes.size(); ++n) {
       Curve_network::Node& node = m_network.nodes[n];
       if (node.is_fixed || !m_is_closed[m_components.component_of(m_nodes[n].vertex)])
         continue;
-      std::vector<Coordinates> others;
-      bool is_seen = true;
-      for (const Curve& curve : m_network.curves)
-        if (!curve.points.empty() && (curve.lower == n || curve.upper == n)) {
-          others.push_back(curve.lower == n ? curve.points.front().point
-                                            : curve.points.back().point);
-          is_seen = is_seen && solid().encloses_segment(node.point, others.back());
-        }
+      const std::vector<Coordinates>& others = next_points[n];
+      const bool is_seen = std::all_of(others.begin(), others.end(), [&](const Coordinates& other) {
+        return solid().encloses_segment(node.point, other);
+      });
       if (!is_seen)
         search.place_node(m_contours->contours_at(m_details[m_place[n]]), others, node.point);
     }
