@@ -10,14 +10,14 @@
 #ifndef CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_ARC_PROPAGATION_H
 #define CGAL_SURFACE_MESH_REEB_GRAPH_INTERNAL_CONSTRUCTION_ARC_PROPAGATION_H
 
-#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Lockstep_walks.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/construction/Level_set_component_finder.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Arc_list.h>
+#include <CGAL/Surface_mesh_Reeb_graph/internal/graph/Side.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_classification.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/Vertex_star.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/mesh_helpers.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/mesh/upper_wedge.h>
 #include <CGAL/Surface_mesh_Reeb_graph/internal/util/concurrency.h>
-#include <CGAL/Surface_mesh_Reeb_graph/internal/util/interleaved_tasks.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -52,6 +52,7 @@ class Arc_propagation
   using vertex_descriptor = typename Graph_traits::vertex_descriptor;
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using FT = typename VertexOrder::FT;
+  using Finder = Level_set_component_finder<ConcurrencyTag, TriangleMesh, VertexOrder>;
 
 public:
   Arc_propagation(const TriangleMesh& tmesh,
@@ -149,14 +150,7 @@ private:
   {
     std::uint32_t node;
     std::size_t wedges_begin, wedges_end; // in the list of wedges
-    std::size_t crossed_begin, crossed_end;
     std::uint32_t longest; // the arc of the vertices that the level set above does not tell of
-  };
-
-  struct Crossed_edge
-  {
-    std::uint32_t arc;
-    vertex_descriptor upper_end;
   };
 
   std::size_t index(vertex_descriptor v) const
@@ -222,7 +216,7 @@ private:
         ++end;
       const std::uint32_t m = mark(index(v));
       if (m < LEFT)
-        result.push_back({m & ~NODE, begin, end, 0, 0, SEVERAL});
+        result.push_back({m & ~NODE, begin, end, SEVERAL});
     }
     return result;
   }
@@ -232,68 +226,48 @@ private:
   void
   lead_above(std::vector<Split> splits, std::size_t budget, std::vector<vertex_descriptor>& left)
   {
-    std::vector<Crossed_edge> crossed;
-    walk(splits, budget, crossed);
-    const auto& wedges = m_list.upper_wedges;
+    std::vector<vertex_descriptor> vertices(splits.size());
+    for_each_range<ConcurrencyTag>(splits.size(), [&](std::size_t begin, std::size_t end) {
+      std::vector<vertex_descriptor> waiting;
+      for (std::size_t i = begin; i < end; ++i)
+        vertices[i] =
+            flood(splits[i], waiting) ? Graph_traits::null_vertex() : m_list.nodes[splits[i].node];
+    });
+    Finder finder(ABOVE, m_tmesh, m_order, m_has_border);
+    std::int64_t steps = static_cast<std::int64_t>(budget);
+    finder.find(vertices, steps);
     // from the highest one on: where an edge crosses the level sets of several, the last one counts
-    for (auto split = splits.rbegin(); split != splits.rend(); ++split) {
-      m_arc_above[split->node] = split->longest;
-      for (std::size_t i = split->wedges_begin; i < split->wedges_end; ++i)
-        for_each_edge_of_upper_wedge(
-            wedges[i].halfedge, m_tmesh, m_order, [&](halfedge_descriptor h) {
-              lead(wedges[i].arc, source(h, m_tmesh), left);
-            });
-      for (std::size_t i = split->crossed_begin; i < split->crossed_end; ++i)
-        lead(crossed[i].arc, crossed[i].upper_end, left);
+    for (std::size_t k = splits.size(); k-- > 0;) {
+      Split& split = splits[k];
+      const auto& found = finder.components[k];
+      std::vector<std::uint32_t> arcs; // by wedge
+      if (!found.component_of_wedge.empty())
+        arcs = arcs_of_wedges(split);
+      CGAL_assertion(arcs.size() == found.component_of_wedge.size());
+      if (found.longest != no_node)
+        split.longest = arcs[found.longest];
+      m_arc_above[split.node] = split.longest;
+      for (std::size_t i = split.wedges_begin; i < split.wedges_end; ++i) {
+        const auto& wedge = m_list.upper_wedges[i];
+        for_each_edge_of_upper_wedge(wedge.halfedge, m_tmesh, m_order, [&](halfedge_descriptor h) {
+          lead(wedge.arc, source(h, m_tmesh), left);
+        });
+      }
+      for (std::size_t i = found.crossed_begin; i < found.crossed_end; ++i)
+        lead(arcs[finder.crossed[i].component], target(finder.crossed[i].halfedge, m_tmesh), left);
     }
   }
 
-  struct Walking
+  // The arcs of the upper wedges of a split, in the order around its vertex.
+  std::vector<std::uint32_t> arcs_of_wedges(const Split& split)
   {
-    Lockstep_walks<TriangleMesh> walks;
-    Vertex_star<TriangleMesh> star;
-    vertex_descriptor vertex;
-    std::size_t number;
-    std::vector<std::uint32_t> arc_of_wedge;
-    std::vector<vertex_descriptor> waiting; // of a flood
-  };
-
-  // Finds the arcs of all edges that cross the level sets just above the splits, but for the longest
-  // components.
-  void walk(std::vector<Split>& splits, std::size_t budget, std::vector<Crossed_edge>& crossed)
-  {
-    std::atomic<std::size_t> steps(0);
-    std::mutex mutex;
-    for_each_range<ConcurrencyTag>(splits.size(), [&](std::size_t begin, std::size_t end) {
-      std::vector<Walking> tasks((std::min)(end - begin, number_of_interleaved_tasks));
-      run_interleaved(
-          tasks,
-          [&](Walking& walking) {
-            for (; begin != end && steps.load(std::memory_order_relaxed) <= budget; ++begin) {
-              if (flood(splits[begin], walking.waiting))
-                continue;
-              walking.number = begin++;
-              begin_walking(walking, splits[walking.number]);
-              return true;
-            }
-            return false;
-          },
-          [&](Walking& walking) {
-            steps.fetch_add(walking.walks.number_of_walks(), std::memory_order_relaxed);
-            if (steps.load(std::memory_order_relaxed) > budget)
-              return false;
-            if (walking.walks.advance(walking.vertex))
-              return true;
-            const std::lock_guard<std::mutex> lock(mutex);
-            end_walking(walking, splits[walking.number], crossed);
-            return false;
-          },
-          [](Walking& walking) { walking.walks.read_crossings(); },
-          [&](Walking& walking) {
-            walking.walks.read_sides(
-                [&](vertex_descriptor u) { return m_order(walking.vertex, u); });
-          });
-    });
+    std::vector<std::uint32_t> result;
+    m_star.read(m_list.nodes[split.node], m_tmesh, m_order);
+    for (const auto& wedge : m_star.wedges)
+      for (std::size_t i = split.wedges_begin; wedge.is_upper && i < split.wedges_end; ++i)
+        if (m_list.upper_wedges[i].halfedge == m_star.halfedges[wedge.begin])
+          result.push_back(m_list.upper_wedges[i].arc);
+    return result;
   }
 
   // Above splits that noise makes there is often a peak of few vertices: these are found from the
@@ -340,37 +314,6 @@ private:
     return m_arc_above[upper] == no_arc && !m_has_several_below[upper];
   }
 
-  void begin_walking(Walking& walking, const Split& split) const
-  {
-    walking.vertex = m_list.nodes[split.node];
-    walking.star.read(walking.vertex, m_tmesh, m_order);
-    walking.walks.clear(m_tmesh, m_has_border);
-    walking.arc_of_wedge.clear();
-    for (const auto& wedge : walking.star.wedges) {
-      if (!wedge.is_upper)
-        continue;
-      const halfedge_descriptor first = walking.star.halfedges[wedge.begin];
-      walking.walks.add_wedge(first, walking.star.halfedges[wedge.end - 1]);
-      for (std::size_t i = split.wedges_begin; i < split.wedges_end; ++i)
-        if (m_list.upper_wedges[i].halfedge == first)
-          walking.arc_of_wedge.push_back(m_list.upper_wedges[i].arc);
-    }
-    CGAL_assertion(walking.arc_of_wedge.size() == walking.walks.number_of_wedges());
-    walking.walks.begin();
-  }
-
-  void end_walking(Walking& walking, Split& split, std::vector<Crossed_edge>& crossed) const
-  {
-    for (std::uint32_t w = 0; w < walking.walks.number_of_wedges(); ++w)
-      if (walking.walks.is_longest(walking.walks.component(w)))
-        split.longest = walking.arc_of_wedge[w];
-    split.crossed_begin = crossed.size();
-    for (const auto& [wedge, h] : walking.walks.crossed)
-      if (walking.arc_of_wedge[wedge] != split.longest)
-        crossed.push_back({walking.arc_of_wedge[wedge], target(h, m_tmesh)});
-    split.crossed_end = crossed.size();
-  }
-
   // Goes down from a vertex as far as nothing is known, and back.
   void descend(vertex_descriptor v,
                std::vector<vertex_descriptor>& way,
@@ -402,6 +345,7 @@ private:
   std::vector<bool> m_has_several_below;  // by node: arcs
   std::vector<FT> m_upper_values;         // by arc
   std::vector<std::atomic<std::uint32_t>> m_marks; // by vertex index
+  Vertex_star<TriangleMesh> m_star;
 };
 
 } // namespace internal

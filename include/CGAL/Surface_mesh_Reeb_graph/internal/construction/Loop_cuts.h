@@ -71,7 +71,7 @@ public:
     , m_ascents(ascents)
     , m_cuts_later_paths(cuts_later_paths)
     , m_cutter(tmesh, nodes, ascents, cuts_later_paths)
-    , m_finder(tmesh, order, nodes, has_border)
+    , m_finder(BELOW, tmesh, order, has_border)
     , m_budget(static_cast<std::int64_t>(
           (std::min)(budget, std::size_t((std::numeric_limits<std::int64_t>::max)() / 2))))
     , m_unfolded(tmesh, order)
@@ -81,7 +81,13 @@ public:
   // order, to find its components. Returns false if that takes more steps than the budget allows.
   bool find_components(const std::vector<std::uint32_t>& nodes)
   {
-    return m_finder.find(nodes, m_budget);
+    std::vector<vertex_descriptor> vertices; // null for unfolded nodes
+    vertices.reserve(nodes.size());
+    for (const std::uint32_t node : nodes)
+      vertices.push_back(m_nodes.is_unfolded(node)
+                             ? boost::graph_traits<TriangleMesh>::null_vertex()
+                             : m_nodes.vertex[node]);
+    return m_finder.find(vertices, m_budget);
   }
 
   // Makes the forest of sublevel sets, with the leaves of the cuts, and finds where these cut the
